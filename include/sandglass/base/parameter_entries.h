@@ -1,0 +1,123 @@
+#ifndef sandglass_base_parameter_entries_h
+#define sandglass_base_parameter_entries_h
+
+#include <deal.II/base/parameter_acceptor.h>
+#include <deal.II/base/patterns.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Pattern of a real number between two bounds, each of which may itself be
+   * excluded. deal.II's Patterns::Double includes its bounds, which would allow
+   * a density of zero or a Poisson ratio of one half.
+   */
+  class BoundedNumber : public dealii::Patterns::PatternBase
+  {
+  public:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    static BoundedNumber
+    any();
+    static BoundedNumber
+    greater_than(const double lower);
+    static BoundedNumber
+    at_least(const double lower);
+    /// lower < value < upper
+    static BoundedNumber
+    between(const double lower, const double upper);
+    /// lower <= value < upper
+    static BoundedNumber
+    at_least_below(const double lower, const double upper);
+    /// lower <= value <= upper
+    static BoundedNumber
+    within(const double lower, const double upper);
+
+    bool
+    match(const std::string &text) const override;
+
+    std::string
+    description(const OutputStyle style = Machine) const override;
+
+    std::unique_ptr<dealii::Patterns::PatternBase>
+    clone() const override;
+
+  private:
+    BoundedNumber(const double lower,
+                  const bool   includes_lower,
+                  const double upper,
+                  const bool   includes_upper);
+
+    double lower;
+    bool   includes_lower;
+    double upper;
+    bool   includes_upper;
+  };
+
+  /// Declare a real parameter; `unit` is "1" for pure numbers.
+  void
+  add_number(dealii::ParameterAcceptor &section,
+             const std::string         &name,
+             double                    &variable,
+             const BoundedNumber       &bounds,
+             const std::string         &unit,
+             const std::string         &documentation);
+
+  void
+  add_integer(dealii::ParameterAcceptor &section,
+              const std::string         &name,
+              unsigned int              &variable,
+              const int                  lower,
+              const int                  upper,
+              const std::string         &documentation);
+
+  void
+  add_flag(dealii::ParameterAcceptor &section,
+           const std::string         &name,
+           bool                      &variable,
+           const std::string         &documentation);
+
+  /// Declare a text parameter that `pattern` restricts.
+  void
+  add_text(dealii::ParameterAcceptor           &section,
+           const std::string                   &name,
+           std::string                         &variable,
+           const dealii::Patterns::PatternBase &pattern,
+           const std::string                   &documentation);
+
+  /// Declare a parameter with named values; `names` pairs each with its value.
+  template <typename Value>
+  void
+  add_selection(dealii::ParameterAcceptor                       &section,
+                const std::string                               &name,
+                Value                                           &variable,
+                const std::vector<std::pair<std::string, Value>> &names,
+                const std::string                               &documentation)
+  {
+    std::string default_name, all_names;
+    for (const auto &[value_name, value] : names)
+      {
+        all_names += (all_names.empty() ? "" : "|") + value_name;
+        if (value == variable)
+          default_name = value_name;
+      }
+    auto &prm = section.prm;
+    section.enter_my_subsection(prm);
+    prm.declare_entry(name,
+                      default_name,
+                      dealii::Patterns::Selection(all_names),
+                      documentation);
+    prm.add_action(name, [names, &variable](const std::string &text) {
+      for (const auto &[value_name, value] : names)
+        if (value_name == text)
+          variable = value;
+    });
+    section.leave_my_subsection(prm);
+  }
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,63 @@
+#ifndef sandglass_material_elasticity_h
+#define sandglass_material_elasticity_h
+
+#include <sandglass/material/stress.h>
+
+#include <cmath>
+
+namespace Sandglass
+{
+  /// Isotropic linear elasticity (paper, Section 2.2). Moduli in Pa.
+  struct Elasticity
+  {
+    Elasticity(const double young_modulus, const double poisson_ratio)
+      : lame_modulus(young_modulus * poisson_ratio /
+                     ((1. + poisson_ratio) * (1. - 2. * poisson_ratio)))
+      , shear_modulus(young_modulus / (2. * (1. + poisson_ratio)))
+    {}
+
+    double lame_modulus;
+    double shear_modulus;
+
+    double
+    bulk_modulus() const
+    {
+      return lame_modulus + 2. / 3. * shear_modulus;
+    }
+
+    /// Modulus of uniaxial strain, lambda + 2 G, in Pa.
+    double
+    confined_modulus() const
+    {
+      return lame_modulus + 2. * shear_modulus;
+    }
+
+    /// Speed of dilatational waves in m/s.
+    double
+    wave_speed(const double density) const
+    {
+      return std::sqrt(confined_modulus() / density);
+    }
+
+    SymmetricTensor4
+    stress(const SymmetricTensor4 &strain) const
+    {
+      const double volumetric =
+        lame_modulus * (strain[0] + strain[1] + strain[2]);
+      return 2. * shear_modulus * strain +
+             SymmetricTensor4(volumetric, volumetric, volumetric, 0.);
+    }
+
+    /// Elastic energy per volume, in J/m^3, of a stress in Pa.
+    double
+    energy_density(const SymmetricTensor4 &stress) const
+    {
+      const double           p = pressure(stress);
+      const SymmetricTensor4 s = deviator(stress);
+      return p * p / (2. * bulk_modulus()) +
+             double_contraction(s, s) / (4. * shear_modulus);
+    }
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,86 @@
+#ifndef sandglass_observers_observers_h
+#define sandglass_observers_observers_h
+
+#include <sandglass/observers/history.h>
+#include <sandglass/observers/progress.h>
+#include <sandglass/observers/schedule.h>
+#include <sandglass/observers/summary.h>
+#include <sandglass/observers/timing.h>
+#include <sandglass/observers/wall_tractions.h>
+
+#include <optional>
+
+namespace Sandglass
+{
+  /**
+   * All that watches a run and writes what it sees into the output directory,
+   * which prepare_output_directory() has made. What a scene or the parameters
+   * don't ask for is neither computed nor mentioned.
+   *
+   * All files are complete after each call, so that a run that stops keeps its
+   * results.
+   */
+  class Observers
+  {
+  public:
+    /// @param timings  has the sections of Timing; these times are reported.
+    Observers(const OutputParameters   &parameters,
+              const Scene              &scene,
+              const MaterialParameters &material,
+              const WallParameters     &walls,
+              const double              end_time,
+              Log                      &log,
+              TimerOutput              &timings);
+
+    /**
+     * Write the state at t = 0. Collective.
+     *
+     * @param static_wall_forces  of the state at rest at this rank's nodes, or
+     *                            a null pointer if it was not computed.
+     */
+    void
+    start(ParticleStage                &stage,
+          const std::vector<WallForce> *static_wall_forces);
+
+    /// Write what is due. Ranks wait for each other only if something is.
+    void
+    after_step(ParticleStage &stage);
+
+    /// Write the last state, the summary and the timing table. Collective.
+    void
+    finish(ParticleStage &stage);
+
+    /// Write the summary of a run that failed. Not collective.
+    void
+    finish_after_failure(const std::string &message);
+
+  private:
+    void
+    observe_history(ParticleStage &stage);
+    void
+    observe_fields(ParticleStage &stage);
+    void
+    observe_walls(const Clock &clock, const std::vector<WallForce> &forces);
+    void
+    write_summary(const std::string &status) const;
+
+    const OutputParameters &parameters;
+    const MPI_Comm          communicator;
+    const bool              is_writer;
+    const Elasticity        elasticity;
+    Log                    &log;
+    TimerOutput            &timings;
+
+    Schedule history_times, field_times;
+    /// Step of the last output, so that the end is not written twice.
+    unsigned long last_history_step = 0, last_field_step = 0;
+
+    Summary                      summary;
+    Progress                     progress;
+    History                      history;
+    std::optional<FieldSeries>   particles, grid;
+    std::optional<WallTractions> wall_tractions;
+  };
+} // namespace Sandglass
+
+#endif

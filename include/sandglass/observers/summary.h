@@ -1,0 +1,50 @@
+#ifndef sandglass_observers_summary_h
+#define sandglass_observers_summary_h
+
+#include <sandglass/observers/particle_totals.h>
+
+#include <string>
+
+namespace Sandglass
+{
+  /// What a run was and did, for summary.json.
+  struct Summary
+  {
+    unsigned int  n_ranks     = 1;
+    unsigned long n_particles = 0; ///< at the start
+    unsigned long n_cells     = 0;
+
+    Clock          clock;
+    ParticleTotals totals;
+    double         initial_mass = 0.; ///< in kg
+
+    /// Whether material can leave.
+    bool   has_flow_rate     = false;
+    double flow_rate_plateau = 0.; ///< in kg/s
+
+    /// Largest memory of the processes so far, summed over ranks, in MiB.
+    double peak_memory = 0.;
+
+    /// Difference between the sum of all masses and the initial mass, over it.
+    double
+    mass_balance_error() const;
+
+    /**
+     * The text of summary.json. Times and particle-steps are those of this
+     * process; after a restart, `steps` counts those before it too.
+     *
+     * @param status   `running`, `finished` or `failed`
+     * @param message  of the error; empty if there was none.
+     */
+    std::string
+    to_json(const std::string &status,
+            const std::string &message,
+            const TimerOutput &timings) const;
+  };
+
+  /// Largest memory of this process so far, in MiB.
+  double
+  peak_memory();
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,113 @@
+#ifndef sandglass_particle_stage_contact_h
+#define sandglass_particle_stage_contact_h
+
+#include <sandglass/particle_stage/nodal_fields.h>
+#include <sandglass/scene/scene.h>
+#include <sandglass/walls/boundary_nodes.h>
+#include <sandglass/walls/friction.h>
+#include <sandglass/walls/wall_force.h>
+
+#include <array>
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Frictional contact of the material with axis and walls at the grid's nodes
+   * (paper, Section 4.2).
+   *
+   * The paper's normal force keeps the acceleration into the wall zero, which
+   * presumes that the velocity already is. Here the force is the impulse that
+   * takes the velocity into the wall at the end of the step to zero, divided by
+   * the step: the same where the velocity is zero, and right on impact too.
+   *
+   * A node between two walls obeys both: it is held by one of them if the
+   * other lets it pass, and by both otherwise.
+   */
+  class Contact
+  {
+  public:
+    Contact(const Scene &scene, const WallParameters &parameters);
+
+    /**
+     * Add the contact forces' share to the nodal accelerations.
+     *
+     * @param sums            of the step, finished.
+     * @param time_step       in s.
+     * @param[in,out] acceleration  of the owned nodes, in m/s^2.
+     */
+    void
+    apply(const NodalField<NodalSum::n_components> &sums,
+          const double                              time_step,
+          NodalField<dim>                          &acceleration);
+
+    /**
+     * Take away the part of the mapped velocity v^L that points into a wall or
+     * off the axis. Particles that follow it cannot pass the wall, and the
+     * strain at the wall is that of material which stays inside.
+     */
+    void
+    constrain(NodalField<dim> &velocity) const;
+
+    /// Work done against wall friction since the start, in J, this rank's nodes.
+    double
+    friction_dissipation() const
+    {
+      return dissipation;
+    }
+
+    /**
+     * Mean forces on this rank's nodes since the last call, or zero if no time
+     * has passed. Starts a new mean.
+     */
+    std::vector<WallForce>
+    take_mean_forces();
+
+    /// The friction memory of each support, for checkpoints; see node_dofs().
+    std::vector<std::array<FrictionMemory, 2>> memories;
+
+    /// Global index of the nodes that `memories` belong to.
+    std::vector<types::global_dof_index>
+    node_dofs() const;
+
+  private:
+    struct Node
+    {
+      unsigned int               index; ///< in the nodal fields
+      BoundaryNode               boundary;
+      std::array<WallForce, 2>   impulse; ///< forces times time, in N s
+    };
+
+    /// Which of a node's supports hold it: bit k for support k.
+    static unsigned int
+    holding_supports(const BoundaryNode   &node,
+                     const Tensor<1, dim> &velocity);
+
+    /// What is left of a velocity that the given supports hold.
+    static Tensor<1, dim>
+    held_velocity(const BoundaryNode   &node,
+                  const unsigned int    holding,
+                  const Tensor<1, dim> &velocity);
+
+    /// Friction of the wall `support`, and the record of its impulse.
+    Tensor<1, dim>
+    wall_reaction(Node                  &node,
+                  FrictionMemory        &memory,
+                  const unsigned int     support,
+                  const double           mass,
+                  const Tensor<1, dim>  &velocity,
+                  const Tensor<1, dim>  &free_velocity,
+                  const double           time_step);
+
+    void
+    record_normal_impulses(Node                 &node,
+                           const Tensor<1, dim> &impulse) const;
+
+    const CoulombFriction friction;
+    std::vector<Node>     nodes;
+    double                dissipation = 0.;
+    double                summed_time = 0.;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,134 @@
+#ifndef sandglass_particle_stage_particle_motion_h
+#define sandglass_particle_stage_particle_motion_h
+
+#include <sandglass/particle_stage/deformation.h>
+#include <sandglass/particle_stage/relocation.h>
+#include <sandglass/particle_stage/stress_update.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Steps 8 and 9 of Section 4.4 in one pass, since both need v^L in the
+   * particle's cell: stress and density by `stress_update`, then the position
+   * X_P += dt N(X_P) v^L. Particles whose new position lies outside their cell
+   * (or too close to its edge for the nodes opposite to get any mass) are
+   * appended to `strays`, their reference coordinates not yet updated.
+   */
+  template <typename Setting, DensityUpdate density_update>
+  class ParticleMotion
+  {
+  public:
+    static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
+    using Shape        = CellShape<Setting::cell_type>;
+    using Geometry     = CellGeometry<Setting::cell_type>;
+    using VelocityOfCell = CellValues<dim, n_nodes>;
+
+    static constexpr double smallest_distance =
+      Relocation<Setting::cell_type>::margin;
+
+    ParticleMotion(const StressUpdate<density_update> &stress_update,
+                   const double                        time_step)
+      : stress_update(stress_update)
+      , time_step(time_step)
+    {}
+
+    /// @return the plastic work of the step in J.
+    double
+    compute(ParticleCloud         &cloud,
+            const Geometry        &geometry,
+            const NodalField<dim> &velocity,
+            std::vector<Stray>    &strays) const
+    {
+      double dissipation = 0.;
+      for_each_filled_cell(cloud,
+                           geometry,
+                           [&](const unsigned int cell,
+                               const Shape       &shape,
+                               const auto        &nodes,
+                               const auto        &particles) {
+                             move_in_cell(cell,
+                                          shape,
+                                          gather(velocity, nodes),
+                                          particles,
+                                          dissipation,
+                                          strays);
+                           });
+      return dissipation;
+    }
+
+  private:
+    template <typename ParticleRange>
+    void
+    move_in_cell(const unsigned int    cell,
+                 const Shape          &shape,
+                 const VelocityOfCell &velocities,
+                 const ParticleRange  &particles,
+                 double               &dissipation,
+                 std::vector<Stray>   &strays) const
+    {
+      // On plane triangles all particles of a cell deform alike.
+      constexpr bool is_uniform =
+        Setting::has_constant_gradients && !Setting::has_hoop_strain;
+      Deformation common;
+      if constexpr (is_uniform)
+        common = deformation(shape, velocities, {}, {}, 1.);
+
+      for (auto particle = particles.begin(); particle != particles.end();
+           ++particle)
+        {
+          const Point<dim> &reference = particle->get_reference_location();
+          const Point<dim>  location  = particle->get_location();
+          const auto        values    = Shape::shape_values(reference);
+          const Tensor<1, dim> velocity = interpolate(velocities, values);
+
+          if constexpr (!is_uniform)
+            common =
+              deformation(shape, velocities, reference, velocity, location[0]);
+          stress_update(particle->get_properties().data(),
+                        common.elastic_stress,
+                        common.spin,
+                        common.inverse_jacobian,
+                        dissipation);
+
+          const Point<dim> new_location  = location + time_step * velocity;
+          const Point<dim> new_reference = shape.to_reference(new_location);
+          particle->set_location(new_location);
+          if (Geometry::is_inside(new_reference, smallest_distance))
+            particle->set_reference_location(new_reference);
+          else
+            strays.push_back({particle, cell});
+        }
+    }
+
+    struct Deformation
+    {
+      SymmetricTensor4 elastic_stress;
+      double           spin;
+      double           inverse_jacobian;
+    };
+
+    Deformation
+    deformation(const Shape          &shape,
+                const VelocityOfCell &velocities,
+                const Point<dim>     &reference,
+                const Tensor<1, dim> &velocity,
+                const double          radius) const
+    {
+      const double hoop =
+        Setting::has_hoop_strain ? time_step * velocity[0] / radius : 0.;
+      const DeformationIncrement increment(
+        time_step * gradient_of(velocities, shape.shape_gradients(reference)),
+        hoop);
+      return {stress_update.law.elasticity.stress(increment.strain),
+              increment.spin,
+              1. / increment.jacobian};
+    }
+
+    const StressUpdate<density_update> &stress_update;
+    const double                        time_step;
+  };
+} // namespace Sandglass
+
+#endif

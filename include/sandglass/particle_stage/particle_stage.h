@@ -1,0 +1,122 @@
+#ifndef sandglass_particle_stage_particle_stage_h
+#define sandglass_particle_stage_particle_stage_h
+
+#include <deal.II/base/timer.h>
+
+#include <sandglass/material/material_parameters.h>
+#include <sandglass/particle_stage/clock.h>
+#include <sandglass/particle_stage/contact.h>
+#include <sandglass/particle_stage/critical_time_step.h>
+#include <sandglass/particle_stage/particle_motion.h>
+#include <sandglass/particle_stage/particle_stage_parameters.h>
+#include <sandglass/particle_stage/relocation.h>
+#include <sandglass/particles/seeding.h>
+#include <sandglass/walls/wall_parameters.h>
+
+#include <functional>
+#include <memory>
+
+namespace Sandglass
+{
+  /**
+   * The explicit particle-in-cell stage (paper, Section 4.4) as observers and
+   * the run see it, whatever its compile-time choices.
+   */
+  class ParticleStage
+  {
+  public:
+    virtual ~ParticleStage() = default;
+
+    /// One pass through Section 4.4. Throws RunError. Collective.
+    virtual void
+    step() = 0;
+
+    bool
+    is_finished() const
+    {
+      return clock.time >= parameters.end_time * (1. - 1e-12);
+    }
+
+    /**
+     * The critical time step in s for the particles' positions. Collective;
+     * costs about half a step.
+     */
+    virtual double
+    critical_time_step() = 0;
+
+    /// Largest speed of this rank's particles, in m/s.
+    double
+    largest_speed() const;
+
+    /// What a particle starts from, beside being at rest.
+    struct InitialState
+    {
+      Tensor<1, dim>   displacement; ///< in m
+      SymmetricTensor4 stress;       ///< in Pa
+      double           volume_ratio; ///< current over unstressed volume
+    };
+
+    using InitialStateFunction =
+      std::function<InitialState(const unsigned int cell,
+                                 const Point<dim>  &reference_point)>;
+
+    /// Give each particle stress, density and displacement. Collective.
+    virtual void
+    set_initial_state(const InitialStateFunction &initial_state) = 0;
+
+    virtual Point<dim>
+    initial_position(const types::particle_index id) const = 0;
+
+    const Scene                   &scene;
+    const ParticleStageParameters &parameters;
+    ParticleCloud                  cloud;
+    NodalFields                    fields;
+    Contact                        contact;
+    Clock                          clock;
+
+    /// Plastic work since the start on this rank, in J.
+    double plastic_dissipation = 0.;
+
+    /// Particle-steps of this rank since this process started.
+    unsigned long particle_steps = 0;
+
+    /// Masses that have left the grid on this rank.
+    virtual RemovedMass &
+    removed_mass() = 0;
+
+    /// Wall time of the steps.
+    Timer timer;
+
+  protected:
+    ParticleStage(const Scene                   &scene,
+                  const WallParameters          &walls,
+                  const ParticleStageParameters &parameters);
+
+    /// Step of the table, or the automatic one, cut at the end time.
+    double
+    choose_time_step();
+
+    /// Throws RunError, from time to time, if a particle is too fast.
+    void
+    check_speed() const;
+
+    /// As critical_time_step(), with the nodal sums of this step at hand.
+    virtual double
+    find_critical_time_step() = 0;
+
+    /// The automatic step without the cut at the end, in s.
+    double automatic_time_step = 0.;
+
+    /// In m/s.
+    double speed_limit;
+  };
+
+  /// A particle stage with its particles seeded, unstressed and at rest.
+  std::unique_ptr<ParticleStage>
+  make_particle_stage(const Scene                   &scene,
+                      const MaterialParameters      &material,
+                      const WallParameters          &walls,
+                      const ParticleStageParameters &parameters);
+} // namespace Sandglass
+
+#endif

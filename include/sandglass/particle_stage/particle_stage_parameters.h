@@ -1,0 +1,52 @@
+#ifndef sandglass_particle_stage_particle_stage_parameters_h
+#define sandglass_particle_stage_particle_stage_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Sandglass
+{
+  /// How the density, and with it a particle's volume, follows the flow.
+  enum class DensityUpdate
+  {
+    paper,      ///< density / Jacobian, without bounds (Section 4.4, step 8)
+    constant,   ///< as at the start
+    floor,      ///< the paper's, but at least half the material's density
+    separation, ///< the paper's; stress only while denser than the material's
+  };
+
+  /// Section `Particle stage`: the explicit particle-in-cell stage.
+  class ParticleStageParameters : public dealii::ParameterAcceptor
+  {
+  public:
+    ParticleStageParameters();
+
+    enum class OnLostParticle
+    {
+      stop,
+      remove
+    };
+
+    double         end_time = 2.5; ///< in s
+    std::string    time_step_text = "auto";
+    double         time_step_safety = 0.8;
+    unsigned int   time_step_interval = 10;
+    DensityUpdate  density_update     = DensityUpdate::separation;
+    OnLostParticle on_lost_particle   = OnLostParticle::stop;
+    double         largest_speed      = 10.;
+
+    /// Whether the step follows the critical step instead of a table.
+    bool has_automatic_time_step = true;
+    /// Start times and steps in s, in order of time; empty if automatic.
+    std::vector<std::pair<double, double>> time_steps;
+
+    /// Throws InputError where the time step can't be read.
+    void
+    check();
+  };
+} // namespace Sandglass
+
+#endif

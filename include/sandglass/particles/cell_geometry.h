@@ -1,0 +1,107 @@
+#ifndef sandglass_particles_cell_geometry_h
+#define sandglass_particles_cell_geometry_h
+
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/particles/cell_shape.h>
+#include <sandglass/scene/scene.h>
+
+#include <limits>
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * The shape, neighbours and nodes of each active cell of a scene in flat
+   * tables, and the walk that finds the cell of a point.
+   *
+   * deal.II 9.4.1 decides where a particle is with the unit square, also on
+   * triangles, so the walk is our own.
+   */
+  template <CellType cell_type>
+  class CellGeometry
+  {
+  public:
+    using Shape = CellShape<cell_type>;
+
+    /// Face distances between minus this and 0 count as inside the cell.
+    static constexpr double tolerance = 1e-12;
+
+    explicit CellGeometry(const Scene &scene);
+
+    const Shape &
+    shape(const unsigned int cell) const
+    {
+      return cells[cell].shape;
+    }
+
+    /**
+     * Indices of the cell's nodes in this rank's nodal vectors (owned nodes
+     * first, then ghosts). Only for cells that this rank owns.
+     */
+    const std::array<unsigned int, Shape::n_nodes> &
+    nodes(const unsigned int cell) const
+    {
+      return cells[cell].nodes;
+    }
+
+    unsigned int
+    n_cells() const
+    {
+      return cells.size();
+    }
+
+    /// Where a point lies.
+    struct Location
+    {
+      enum class Kind
+      {
+        inside,  ///< in `cell`, at `reference_point`
+        outside, ///< beyond the boundary face `face` of `cell`
+        invalid  ///< not a number
+      };
+
+      Kind         kind;
+      unsigned int cell;
+      Point<dim>   reference_point; ///< with respect to `cell`
+      unsigned int face;            ///< only if outside
+      BoundaryRole role;            ///< of the face, only if outside
+    };
+
+    /**
+     * Walk from cell to neighbour, each time over the face that the point lies
+     * farthest beyond, until it lies in a cell or beyond boundary faces only.
+     * A point on an edge or vertex stays in the first cell of the walk that
+     * has it. Needs about as many steps as there are cells between the start
+     * and the point.
+     */
+    Location
+    find(const Point<dim> &point, const unsigned int start_cell) const;
+
+    /// Whether all face distances are at least `margin`; false for NaN.
+    static bool
+    is_inside(const Point<dim> &reference_point, const double margin)
+    {
+      for (const double distance : Shape::face_distances(reference_point))
+        if (!(distance >= margin))
+          return false;
+      return true;
+    }
+
+  private:
+    struct CellData
+    {
+      Shape                                    shape;
+      std::array<unsigned int, Shape::n_nodes> nodes;
+      /// Index of the cell beyond each face, or -boundary id.
+      std::array<int, Shape::n_faces> neighbors;
+    };
+
+    Location
+    find_by_search(const Point<dim> &point) const;
+
+    std::vector<CellData> cells;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,33 @@
+#ifndef sandglass_run_parameters_h
+#define sandglass_run_parameters_h
+
+#include <sandglass/material/material_parameters.h>
+#include <sandglass/observers/output_parameters.h>
+#include <sandglass/particle_stage/particle_stage_parameters.h>
+#include <sandglass/scene/scene_parameters.h>
+#include <sandglass/static_stage/static_stage_parameters.h>
+#include <sandglass/walls/wall_parameters.h>
+
+namespace Sandglass
+{
+  /// All sections of the parameter file. Each declares itself when made.
+  struct Parameters
+  {
+    SceneParameters         scene;
+    MaterialParameters      material;
+    WallParameters          walls;
+    StaticStageParameters   static_stage;
+    ParticleStageParameters particle_stage;
+    OutputParameters        output;
+
+    /// Checks between parameters; throws InputError.
+    void
+    check()
+    {
+      scene.check();
+      particle_stage.check();
+    }
+  };
+} // namespace Sandglass
+
+#endif

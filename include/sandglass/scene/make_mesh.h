@@ -1,0 +1,36 @@
+#ifndef sandglass_scene_make_mesh_h
+#define sandglass_scene_make_mesh_h
+
+#include <sandglass/scene/mesh.h>
+#include <sandglass/scene/scene_parameters.h>
+
+#include <mpi.h>
+
+#include <string>
+
+namespace Sandglass
+{
+  /**
+   * The silo's half section of the parameters, meshed by Gmsh: outlet level at
+   * y = 0, axis at x = 0, the fall region below an open outlet.
+   */
+  Mesh
+  mesh_silo(const SceneParameters &parameters);
+
+  /**
+   * Read a mesh that Gmsh can open. Lines must belong to physical groups named
+   * as in boundary_role_names, surfaces to groups `material` (filled) or
+   * `fall_region`. Throws InputError that names what is missing.
+   */
+  Mesh
+  read_mesh(const std::string &filename, const CellType cell_type);
+
+  /**
+   * The mesh that the parameters ask for, made on rank 0, sorted along a curve,
+   * and the same on each rank. Errors are thrown on each rank.
+   */
+  Mesh
+  make_mesh(const SceneParameters &parameters, const MPI_Comm communicator);
+} // namespace Sandglass
+
+#endif

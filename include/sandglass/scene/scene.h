@@ -1,0 +1,72 @@
+#ifndef sandglass_scene_scene_h
+#define sandglass_scene_scene_h
+
+#include <deal.II/base/partitioner.h>
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/mapping.h>
+
+#include <deal.II/grid/reference_cell.h>
+
+#include <sandglass/scene/mesh.h>
+
+#include <memory>
+#include <vector>
+
+namespace Sandglass
+{
+  using namespace dealii;
+
+  /**
+   * The grid that both stages work on: the whole computational mesh (filled
+   * part and fall region) as a triangulation that every rank holds and METIS
+   * partitions, with scalar linear elements on it. A node of the method is a
+   * degree of freedom of this DoFHandler.
+   *
+   * Cell i of the mesh is the triangulation's active cell with index i.
+   */
+  class Scene
+  {
+  public:
+    /**
+     * @param mesh     the same on each rank.
+     * @param gravity  in m/s^2.
+     */
+    Scene(const Mesh         &mesh,
+          const Formulation   formulation,
+          const unsigned int  particles_per_cell,
+          const Tensor<1, dim> &gravity,
+          const MPI_Comm      communicator);
+
+    const Mesh           mesh;
+    const Formulation    formulation;
+    const unsigned int   particles_per_cell;
+    const Tensor<1, dim> gravity; ///< in m/s^2
+    const MPI_Comm       communicator;
+
+    parallel::shared::Triangulation<dim> triangulation;
+    const ReferenceCell                  reference_cell;
+    const Mapping<dim>                  &mapping;
+
+    std::unique_ptr<FiniteElement<dim>> finite_element;
+    DoFHandler<dim>                     dof_handler;
+
+    /// The nodes that this rank owns, and the ghost nodes of its cells.
+    std::shared_ptr<const Utilities::MPI::Partitioner> nodes;
+
+    /// Owner of each active cell, artificial cells included.
+    std::vector<types::subdomain_id> cell_owners;
+
+    /// Lowest and highest y of the filled cells, in m.
+    double fill_bottom, fill_top;
+
+    /// 2 for the half of a plane section (the whole silo has both), else 1.
+    double symmetry_factor;
+  };
+} // namespace Sandglass
+
+#endif

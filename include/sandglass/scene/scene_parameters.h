@@ -1,0 +1,66 @@
+#ifndef sandglass_scene_scene_parameters_h
+#define sandglass_scene_scene_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+#include <deal.II/base/tensor.h>
+
+#include <sandglass/base/setting.h>
+
+#include <string>
+
+namespace Sandglass
+{
+  /**
+   * Section `Scene`: the silo's half section, its mesh, and where material is
+   * at the start. Lengths in m.
+   */
+  class SceneParameters : public dealii::ParameterAcceptor
+  {
+  public:
+    SceneParameters();
+
+    enum class Shape
+    {
+      silo,
+      mesh_file
+    };
+
+    enum class MeshAlgorithm
+    {
+      frontal_delaunay,
+      delaunay,
+      mesh_adapt
+    };
+
+    Formulation   formulation = Formulation::plane_strain;
+    Shape         shape       = Shape::silo;
+    std::string   mesh_file;
+    double        half_width         = 0.80;
+    double        wall_height        = 1.70;
+    double        outlet_half_width  = 0.225;
+    double        hopper_height      = 0.;
+    double        fall_region_depth  = 0.65;
+    double        element_size       = 0.025;
+    MeshAlgorithm mesh_algorithm     = MeshAlgorithm::frontal_delaunay;
+    unsigned int  mesh_seed          = 1;
+    CellType      cell_type          = CellType::triangle;
+    unsigned int  particles_per_cell = 4;
+    bool          outlet_is_open     = true;
+
+    /// In m/s^2.
+    dealii::Tensor<1, dim> gravity{{0., -9.81}};
+
+    /// Height of the material's free surface above the outlet level, in m.
+    double
+    fill_height() const
+    {
+      return hopper_height + wall_height;
+    }
+
+    /// Throws InputError where values contradict each other.
+    void
+    check() const;
+  };
+} // namespace Sandglass
+
+#endif

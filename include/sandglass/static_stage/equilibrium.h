@@ -1,0 +1,99 @@
+#ifndef sandglass_static_stage_equilibrium_h
+#define sandglass_static_stage_equilibrium_h
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <sandglass/material/drucker_prager.h>
+#include <sandglass/static_stage/filled_grid.h>
+#include <sandglass/static_stage/incremental_response.h>
+#include <sandglass/static_stage/wall_contact.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Nodal forces of the filled material and their tangent, in the updated
+   * Lagrangian formulation: the configuration at the start of the load step is
+   * the reference for the step's increment of displacement.
+   */
+  class Equilibrium
+  {
+  public:
+    using Vector = FilledGrid::Vector;
+
+    struct MaterialPoint
+    {
+      SymmetricTensor4 stress_before = SymmetricTensor4::Zero(); ///< in Pa
+      SymmetricTensor4 stress        = SymmetricTensor4::Zero(); ///< in Pa
+      SymmetricTensor4 trial_stress  = SymmetricTensor4::Zero(); ///< in Pa
+      Gradient5        gradient      = Gradient5::Zero();        ///< H
+      /// Current over unloaded volume, at the start of the step and now.
+      double volume_ratio_before = 1., volume_ratio = 1.;
+    };
+
+    Equilibrium(const FilledGrid     &grid,
+                const Formulation     formulation,
+                const DruckerPrager  &material,
+                const double          density,
+                const Tensor<1, dim> &gravity);
+
+    /// Nodal forces of the whole weight in N.
+    const Vector &
+    weight() const
+    {
+      return nodal_weight;
+    }
+
+    /// Make the current state the start of a load step.
+    void
+    start_step(const Vector &displacement);
+
+    /**
+     * Internal minus external nodal forces, in N, with ghost entries.
+     *
+     * @param increment   of the displacement in the step, with ghost entries.
+     * @param load_share  share of gravity that acts.
+     */
+    void
+    evaluate_forces(const Vector &increment,
+                    const double  load_share,
+                    Vector       &forces);
+
+    /// Tangent of the equations with contact, at the last evaluate_forces().
+    void
+    assemble_tangent(const WallContact              &contact,
+                     TrilinosWrappers::SparseMatrix &matrix) const;
+
+    /// Of quadrature point q in cell i at i * n_points_per_cell + q.
+    const std::vector<MaterialPoint> &
+    material_points() const
+    {
+      return points;
+    }
+
+    double elastic_share = 0.;
+  private:
+    /// Maps nodal increments of a cell to their gradient at a point.
+    using GradientOperator = Eigen::Matrix<double, 5, Eigen::Dynamic, 0, 5, 8>;
+    using CellVector       = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
+    using CellMatrix =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
+
+    CellVector
+    cell_values(const DoFHandler<dim>::active_cell_iterator &cell,
+                const Vector                                &vector) const;
+
+    const FilledGrid    &grid;
+    const Formulation    formulation;
+    const DruckerPrager &material;
+
+    std::vector<MaterialPoint>    points;
+    std::vector<GradientOperator> gradient_operators;
+    /// In the reference configuration, in m^3 (plane strain: per m of depth).
+    std::vector<double> volumes;
+    Vector              nodal_weight;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,66 @@
+#ifndef sandglass_static_stage_filled_grid_h
+#define sandglass_static_stage_filled_grid_h
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/quadrature.h>
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <sandglass/scene/scene.h>
+
+#include <memory>
+#include <vector>
+
+namespace Sandglass
+{
+  using namespace dealii;
+
+  /**
+   * The part of the Scene that material fills at the start, as a grid of its
+   * own: linear vector elements for the displacement on a triangulation that
+   * is partitioned as the Scene is, so that results go back to the Scene's
+   * cells without communication.
+   */
+  class FilledGrid
+  {
+  public:
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    explicit FilledGrid(const Scene &scene);
+
+    /// A nodal vector field that is zero, with ghost entries.
+    Vector
+    make_vector() const;
+
+    /// Index in the Scene of each active cell.
+    std::vector<unsigned int> scene_cells;
+
+    parallel::shared::Triangulation<dim> triangulation;
+    const Mapping<dim>                  &mapping;
+    const FESystem<dim>                  finite_element;
+    /**
+     * One point per triangle; in quadrilaterals the centres of four equal
+     * parts, where the particle stage's integral has its points too, so that a
+     * state in equilibrium here is so there.
+     */
+    const Quadrature<dim> quadrature;
+    /// Displacement; at each vertex the x component comes first.
+    DoFHandler<dim> dof_handler;
+    /// Scalar, on the same triangulation, as find_boundary_nodes() asks for.
+    DoFHandler<dim> node_handler;
+
+    IndexSet owned_dofs, relevant_dofs;
+
+  private:
+    std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef sandglass_static_stage_incremental_response_h
+#define sandglass_static_stage_incremental_response_h
+
+#include <sandglass/material/drucker_prager.h>
+
+#include <Eigen/Core>
+
+namespace Sandglass
+{
+  /**
+   * A gradient that isn't symmetric, in the components that plane strain and
+   * axisymmetry leave: (xx, xy, yx, yy, hoop), where xy is the derivative of
+   * the x component with respect to y. Plane strain has zero hoop components.
+   */
+  using Gradient5 = Eigen::Matrix<double, 5, 1>;
+  using Matrix5   = Eigen::Matrix<double, 5, 5>;
+
+  namespace GradientComponent
+  {
+    enum : int
+    {
+      xx   = 0,
+      xy   = 1,
+      yx   = 2,
+      yy   = 3,
+      hoop = 4
+    };
+  }
+
+  /**
+   * What a load step of the updated Lagrangian formulation does to a material
+   * point. The configuration at the start of the step is the reference: H is
+   * the gradient of the displacement increment with respect to it, F = I + H
+   * the increment's deformation gradient, J = det(F).
+   */
+  namespace IncrementalResponse
+  {
+    /// J, current volume over volume at the start of the step.
+    double
+    volume_ratio(const Gradient5 &H);
+
+    /**
+     * Elastic trial stress after the increment, by the forward-Euler rule of
+     * Section 4.1 of the paper with strain increment sym(H) and spin skew(H).
+     */
+    SymmetricTensor4
+    trial_stress(const Elasticity       &elasticity,
+                 const SymmetricTensor4 &stress_before,
+                 const Gradient5        &H);
+
+    /**
+     * First Piola-Kirchhoff stress J sigma F^-T in Pa: what the virtual
+     * displacement's gradient in the reference configuration works on.
+     */
+    Gradient5
+    piola_stress(const SymmetricTensor4 &stress, const Gradient5 &H);
+
+    /**
+     * Consistent tangent: the derivative of the first Piola-Kirchhoff stress
+     * with respect to H, for a stress that is the projection of the trial
+     * stress onto the yield surface.
+     *
+     * @param projection_derivative  derivative of that projection.
+     */
+    Matrix5
+    tangent(const Elasticity       &elasticity,
+            const SymmetricTensor4 &stress_before,
+            const SymmetricTensor4 &stress,
+            const Gradient5        &H,
+            const Eigen::Matrix4d  &projection_derivative);
+  } // namespace IncrementalResponse
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,25 @@
+#ifndef sandglass_static_stage_static_stage_parameters_h
+#define sandglass_static_stage_static_stage_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+namespace Sandglass
+{
+  /// Section `Static stage`: how the state at rest is found.
+  class StaticStageParameters : public dealii::ParameterAcceptor
+  {
+  public:
+    StaticStageParameters();
+
+    /// Without it, material starts unstressed and undisplaced.
+    bool         is_enabled = true;
+    unsigned int n_load_steps = 5;
+    /// Newton stops when the residual is below this share of the weight.
+    double       relative_residual  = 1e-10;
+    unsigned int maximum_iterations = 25;
+    /// Shares of the whole load below which a load step is not cut further.
+    double smallest_load_step = 1e-3;
+  };
+} // namespace Sandglass
+
+#endif

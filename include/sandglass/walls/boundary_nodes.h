@@ -1,0 +1,61 @@
+#ifndef sandglass_walls_boundary_nodes_h
+#define sandglass_walls_boundary_nodes_h
+
+#include <deal.II/base/tensor.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <sandglass/base/setting.h>
+#include <sandglass/scene/boundary_role.h>
+#include <sandglass/walls/wall_parameters.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  using namespace dealii;
+
+  /// One straight stretch of boundary that holds a node.
+  struct NodeSupport
+  {
+    BoundaryRole   role;
+    Tensor<1, dim> normal; ///< outward from the material, unit length
+    /**
+     * Area of wall that belongs to the node: half of the adjacent edges of this
+     * role and direction, per metre of depth (plane strain) or times the
+     * circumference 2 pi x (axisymmetric). In m^2.
+     */
+    double tributary_area;
+  };
+
+  /// A node on the boundary and what supports it there.
+  struct BoundaryNode
+  {
+    types::global_dof_index dof;
+    Point<dim>              position;
+    /// One or two; two where the boundary's direction jumps.
+    std::vector<NodeSupport> supports;
+    /// Whether the node must not move at all (paper, Section 5.1).
+    bool is_fixed = false;
+    /// Whether it lies on the edge of the open outlet.
+    bool is_outlet_lip = false;
+  };
+
+  /**
+   * All nodes on the axis and on walls whose cells this rank knows (owned and
+   * ghost cells), in order of their degree of freedom. Open boundaries and the
+   * top don't support nodes. Where two supports have the same direction they
+   * are merged; the node at the foot of the wall on a flat floor is marked
+   * fixed if the parameters ask for it. With a free outlet lip the lip's node
+   * is left out.
+   *
+   * @param dof_handler  scalar, linear, on a triangulation whose boundary ids
+   *                     are BoundaryRole values.
+   */
+  std::vector<BoundaryNode>
+  find_boundary_nodes(const DoFHandler<dim> &dof_handler,
+                      const Formulation      formulation,
+                      const WallParameters  &parameters);
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef sandglass_walls_friction_h
+#define sandglass_walls_friction_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace Sandglass
+{
+  /// What a node of the grid remembers of its contact with one wall.
+  struct FrictionMemory
+  {
+    double tangential_force = 0.; ///< in N, on the material
+    bool   is_sliding       = false;
+  };
+
+  /**
+   * The Coulomb law with penalised sticking, for one node and one step (paper,
+   * Section 4.2, cases I.1 and I.2), in one tangential direction.
+   *
+   * The paper's trial force F - c_T v dt needs the velocity at the end of the
+   * step, which the force itself changes. It is solved for both together, so
+   * that sticking needs no smaller time step, and a sliding node is stopped
+   * rather than turned back by its friction.
+   */
+  class CoulombFriction
+  {
+  public:
+    /**
+     * @param coefficient  mu = tan(wall friction angle)
+     * @param penalty      c_T in N/m^3
+     */
+    CoulombFriction(const double coefficient, const double penalty)
+      : coefficient(coefficient)
+      , penalty(penalty)
+    {}
+
+    /**
+     * The tangential force on the material at the end of the step, in N.
+     *
+     * @param[in,out] memory   updated to the end of the step.
+     * @param normal_force     compression, >= 0, in N.
+     * @param velocity         tangential velocity at the step's start, in m/s.
+     * @param free_velocity    velocity at the step's end without friction.
+     * @param mass             of the node, in kg.
+     * @param area             of wall that belongs to the node, in m^2.
+     * @param time_step        in s.
+     */
+    double
+    tangential_force(FrictionMemory &memory,
+                     const double    normal_force,
+                     const double    velocity,
+                     const double    free_velocity,
+                     const double    mass,
+                     const double    area,
+                     const double    time_step) const
+    {
+      const double limit = coefficient * normal_force;
+
+      double start_force = memory.tangential_force;
+      if (memory.is_sliding && velocity != 0.)
+        {
+          const double force        = -std::copysign(limit, velocity);
+          const double end_velocity = free_velocity + time_step * force / mass;
+          if (velocity * end_velocity > 0.)
+            {
+              memory.tangential_force = force;
+              return force;
+            }
+          start_force = force;
+        }
+
+      const double stiffness = penalty * area * time_step;
+      const double trial_force =
+        (start_force - stiffness * free_velocity) /
+        (1. + stiffness * time_step / mass);
+      memory.is_sliding       = std::abs(trial_force) > limit;
+      memory.tangential_force = std::clamp(trial_force, -limit, limit);
+      return memory.tangential_force;
+    }
+
+  private:
+    double coefficient;
+    double penalty;
+  };
+} // namespace Sandglass
+
+#endif

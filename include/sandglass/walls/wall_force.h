@@ -1,0 +1,44 @@
+#ifndef sandglass_walls_wall_force_h
+#define sandglass_walls_wall_force_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <sandglass/base/setting.h>
+#include <sandglass/scene/boundary_role.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Force between one stretch of wall and the material at one node. Both stages
+   * report such forces; observers turn them into tractions.
+   */
+  struct WallForce
+  {
+    dealii::Point<dim>     position;
+    BoundaryRole           role;
+    dealii::Tensor<1, dim> normal;         ///< outward from the material
+    double                 tributary_area; ///< in m^2 (plane: per m of depth)
+    /// In N (plane strain: per metre of depth), compression positive.
+    double normal_force;
+    /// In N, along wall_tangent(normal): positive when it pushes material up.
+    double tangential_force;
+  };
+
+  /**
+   * Unit tangent of a wall: the normal turned by 90 degrees so that it points
+   * up, or along +x on a horizontal wall.
+   */
+  inline dealii::Tensor<1, dim>
+  wall_tangent(const dealii::Tensor<1, dim> &normal)
+  {
+    dealii::Tensor<1, dim> tangent{{-normal[1], normal[0]}};
+    const bool points_down = tangent[1] < -1e-12;
+    const bool points_left = std::abs(tangent[1]) <= 1e-12 && tangent[0] < 0.;
+    return points_down || points_left ? -1. * tangent : tangent;
+  }
+} // namespace Sandglass
+
+#endif

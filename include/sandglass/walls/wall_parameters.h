@@ -1,0 +1,32 @@
+#ifndef sandglass_walls_wall_parameters_h
+#define sandglass_walls_wall_parameters_h
+
+#include <deal.II/base/parameter_acceptor.h>
+
+namespace Sandglass
+{
+  /// Section `Walls`: friction between the material and the silo.
+  class WallParameters : public dealii::ParameterAcceptor
+  {
+  public:
+    WallParameters();
+
+    /// What the material feels at the node on the edge of the outlet.
+    enum class OutletLip
+    {
+      floor, ///< the floor's (or hopper's) unilateral contact, as in the paper
+      free   ///< no nodal contact; particles are held above the wall instead
+    };
+
+    double    friction_angle     = 20.; ///< in degrees
+    double    tangential_penalty = 1e7; ///< c_T, in N/m^3
+    bool      fix_bottom_corner  = true;
+    OutletLip outlet_lip         = OutletLip::floor;
+
+    /// mu = tan(friction angle)
+    double
+    friction_coefficient() const;
+  };
+} // namespace Sandglass
+
+#endif

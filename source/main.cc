@@ -1,0 +1,102 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/base/exceptions.h>
+#include <sandglass/observers/banner.h>
+#include <sandglass/run/parameter_file.h>
+#include <sandglass/run/run.h>
+
+#include <iostream>
+
+namespace
+{
+  using namespace Sandglass;
+
+  constexpr int run_failed = 1, input_refused = 2;
+
+  /// Read and check the parameters, then run unless only this was asked for.
+  void
+  validate_and_run(const CommandLine &command_line, const MPI_Comm communicator)
+  {
+    auto settings = command_line.settings;
+    if (!command_line.output_directory.empty())
+      settings.push_back("Output/Directory=" + command_line.output_directory);
+
+    Parameters          parameters;
+    const ParameterFile file(command_line.parameter_file,
+                             settings,
+                             communicator);
+    file.parse(dealii::ParameterAcceptor::prm);
+    try
+      {
+        parameters.check();
+        if (command_line.task == CommandLine::Task::run)
+          run(parameters, command_line, communicator);
+      }
+    catch (const InputError &error)
+      {
+        throw file.located(error);
+      }
+  }
+
+
+
+  void
+  execute(const int argc, const char *const argv[], const bool prints)
+  {
+    using Task                     = CommandLine::Task;
+    const CommandLine command_line = parse_command_line(argc, argv);
+    switch (command_line.task)
+      {
+        case Task::print_help:
+          if (prints)
+            std::cout << command_line_help() << std::endl;
+          break;
+        case Task::print_version:
+          if (prints)
+            std::cout << banner(MPI_COMM_WORLD) << std::flush;
+          break;
+        case Task::print_parameters:
+          {
+            const Parameters parameters;
+            if (prints)
+              std::cout << print_parameters(dealii::ParameterAcceptor::prm,
+                                            command_line.print_format)
+                        << std::flush;
+            break;
+          }
+        default:
+          validate_and_run(command_line, MPI_COMM_WORLD);
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const bool prints = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  try
+    {
+      execute(argc, argv, prints);
+      return 0;
+    }
+  catch (const Sandglass::InputError &error)
+    {
+      if (prints)
+        std::cerr << error.what() << std::endl;
+      return input_refused;
+    }
+  catch (const std::exception &error)
+    {
+      // Not necessarily on each rank, so each may speak.
+      const bool is_collective =
+        dynamic_cast<const Sandglass::RunError *>(&error) != nullptr;
+      if (prints || !is_collective)
+        std::cerr << error.what() << std::endl;
+      if (!is_collective)
+        MPI_Abort(MPI_COMM_WORLD, run_failed);
+      return run_failed;
+    }
+}

@@ -1,0 +1,58 @@
+#include <deal.II/base/numbers.h>
+
+#include <sandglass/base/parameter_entries.h>
+#include <sandglass/material/material_parameters.h>
+
+namespace Sandglass
+{
+  MaterialParameters::MaterialParameters()
+    : ParameterAcceptor("Material")
+  {
+    using Bounds = BoundedNumber;
+
+    add_selection<Model>(*this,
+                         "Model",
+                         model,
+                         {{"Drucker-Prager", Model::drucker_prager}},
+                         "Constitutive law: cohesionless Drucker-Prager with "
+                         "incompressible plastic flow.");
+    add_number(*this,
+               "Density",
+               density,
+               Bounds::greater_than(0.),
+               "kg/m^3",
+               "Bulk density of the unstressed material.");
+    add_number(*this,
+               "Young modulus",
+               young_modulus,
+               Bounds::greater_than(0.),
+               "Pa",
+               "Elastic stiffness; the time step goes with its inverse root.");
+    add_number(*this,
+               "Poisson ratio",
+               poisson_ratio,
+               Bounds::at_least_below(0., 0.5),
+               "1",
+               "Poisson ratio.");
+    add_number(*this,
+               "Internal friction angle",
+               internal_friction_angle,
+               Bounds::at_least_below(0., 90.),
+               "degrees",
+               "Angle phi of internal friction; the yield surface's slope is "
+               "18 sin(phi) / (9 - sin(phi)^2).");
+    add_selection<StressRate>(*this,
+                              "Stress rate",
+                              stress_rate,
+                              {{"Jaumann", StressRate::jaumann}},
+                              "Objective stress rate.");
+  }
+
+
+
+  DruckerPrager
+  MaterialParameters::drucker_prager() const
+  {
+    return {elasticity(), internal_friction_angle * dealii::numbers::PI / 180.};
+  }
+} // namespace Sandglass

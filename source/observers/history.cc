@@ -1,0 +1,101 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/observers/beverloo.h>
+#include <sandglass/observers/history.h>
+
+namespace Sandglass
+{
+  namespace
+  {
+    const std::vector<std::string> history_columns = {"time_s",
+                                                      "step",
+                                                      "time_step_s",
+                                                      "time_step_over_critical",
+                                                      "kinetic_energy_J",
+                                                      "elastic_energy_J",
+                                                      "dissipated_energy_J",
+                                                      "momentum_x_kg_m_per_s",
+                                                      "momentum_y_kg_m_per_s",
+                                                      "mass_in_silo_kg",
+                                                      "mass_falling_kg",
+                                                      "mass_discharged_kg",
+                                                      "mass_lost_kg",
+                                                      "largest_speed_m_per_s"};
+
+    const std::vector<std::string> flow_rate_columns = {
+      "time_s",
+      "discharged_mass_kg",
+      "mass_flow_rate_kg_per_s",
+      "beverloo_0_kg_per_s",
+      "beverloo_0.1_kg_per_s",
+      "beverloo_0.2_kg_per_s"};
+  } // namespace
+
+
+
+  History::History(const OutputParameters   &parameters,
+                   const Scene              &scene,
+                   const MaterialParameters &material)
+    : is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
+    , measures(scene)
+    , history_file(parameters.directory + "/history.csv", history_columns)
+    , flow_rate_file(parameters.directory + "/flow_rate.csv", flow_rate_columns)
+    , flow_rate(parameters.flow_rate_window)
+  {
+    for (unsigned int i = 0; i < beverloo.size(); ++i)
+      beverloo[i] = beverloo_flow_rate(scene.formulation,
+                                       material.density,
+                                       scene.gravity.norm(),
+                                       measures.outlet_width,
+                                       0.1 * i);
+  }
+
+
+
+  void
+  History::open()
+  {
+    if (!is_writer)
+      return;
+    history_file.open();
+    if (measures.has_open_outlet)
+      flow_rate_file.open();
+  }
+
+
+
+  void
+  History::observe(const Clock          &clock,
+                   const double          critical_time_step,
+                   const ParticleTotals &totals)
+  {
+    if (!is_writer)
+      return;
+    history_file.add_row(clock.time,
+                         clock.step,
+                         clock.time_step,
+                         clock.time_step / critical_time_step,
+                         totals.kinetic_energy,
+                         totals.elastic_energy,
+                         totals.dissipated_energy,
+                         totals.momentum[0],
+                         totals.momentum[1],
+                         totals.mass_in_silo,
+                         totals.mass_falling,
+                         totals.mass_discharged(),
+                         totals.mass_lost,
+                         totals.largest_speed);
+    history_file.flush();
+
+    if (!measures.has_open_outlet)
+      return;
+    flow_rate.add(clock.time, totals.mass_discharged());
+    flow_rate_file.add_row(clock.time,
+                           totals.mass_discharged(),
+                           flow_rate.current(),
+                           beverloo[0],
+                           beverloo[1],
+                           beverloo[2]);
+    flow_rate_file.flush();
+  }
+} // namespace Sandglass

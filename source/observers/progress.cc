@@ -1,0 +1,83 @@
+#include <sandglass/observers/progress.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Sandglass
+{
+  namespace
+  {
+    template <typename Duration>
+    double
+    to_seconds(const Duration duration)
+    {
+      return std::chrono::duration<double>(duration).count();
+    }
+  } // namespace
+
+
+
+  Progress::Progress(Log &log, const double interval, const double end_time)
+    : log(log)
+    , interval(interval)
+    , end_time(end_time)
+  {}
+
+
+
+  void
+  Progress::start(const double time)
+  {
+    start_time   = time;
+    start_moment = last_moment = WallClock::now();
+  }
+
+
+
+  void
+  Progress::after_step(const Clock &clock, const unsigned long n_particles)
+  {
+    if (interval == 0. || !log.stream().is_active())
+      return;
+    particle_steps += n_particles;
+    const auto now = WallClock::now();
+    if (to_seconds(now - last_moment) < interval)
+      return;
+    show(clock, n_particles, now);
+    last_moment    = now;
+    particle_steps = 0;
+  }
+
+
+
+  void
+  Progress::show(const Clock                &clock,
+                 const unsigned long         n_particles,
+                 const WallClock::time_point now)
+  {
+    const double rate      = particle_steps / to_seconds(now - last_moment);
+    const double remaining = to_seconds(now - start_moment) *
+                             (end_time - clock.time) /
+                             (clock.time - start_time);
+    std::ostringstream line;
+    line << "t = " << std::fixed << std::setprecision(4) << clock.time << " of "
+         << std::defaultfloat << end_time << " s, step " << std::setprecision(3)
+         << clock.time_step << " s, " << n_particles << " particles, "
+         << rate / 1e6 << " million particle-steps/s, "
+         << duration_to_text(remaining) << " left";
+    log.show_progress(line.str());
+  }
+
+
+
+  std::string
+  duration_to_text(const double seconds)
+  {
+    const unsigned long whole = std::lround(seconds);
+    std::ostringstream  text;
+    text << whole / 3600 << std::setfill('0') << ':' << std::setw(2)
+         << whole / 60 % 60 << ':' << std::setw(2) << whole % 60;
+    return text.str();
+  }
+} // namespace Sandglass

@@ -1,0 +1,66 @@
+#include <deal.II/base/utilities.h>
+
+#include <sandglass/observers/json_object.h>
+#include <sandglass/observers/summary.h>
+#include <sandglass/observers/timing.h>
+#include <sandglass/version.h>
+
+#include <cmath>
+
+namespace Sandglass
+{
+  double
+  Summary::mass_balance_error() const
+  {
+    return initial_mass > 0. ?
+             std::abs(totals.mass() - initial_mass) / initial_mass :
+             0.;
+  }
+
+
+
+  std::string
+  Summary::to_json(const std::string &status,
+                   const std::string &message,
+                   const TimerOutput &timings) const
+  {
+    const double loop_seconds = Timing::seconds(timings, Timing::particle_loop);
+
+    JsonObject json;
+    json.add("status", status);
+    if (!message.empty())
+      json.add("message", message);
+    json.add("version", SANDGLASS_VERSION);
+    json.add("git_hash", SANDGLASS_GIT_HASH);
+    json.add("ranks", static_cast<unsigned long>(n_ranks));
+    json.add("particles", n_particles);
+    json.add("cells", n_cells);
+    json.add("steps", clock.step);
+    json.add("particle_steps", totals.particle_steps);
+    json.add("setup_seconds", Timing::seconds(timings, Timing::set_up));
+    json.add("static_seconds", Timing::seconds(timings, Timing::static_stage));
+    json.add("loop_seconds", loop_seconds);
+    json.add("output_seconds", Timing::seconds(timings, Timing::output));
+    json.add("particle_steps_per_second", totals.particle_steps / loop_seconds);
+    json.add("peak_rss_MiB", peak_memory);
+    json.add("mass_initial_kg", initial_mass);
+    json.add("mass_in_silo_kg", totals.mass_in_silo);
+    json.add("mass_discharged_kg", totals.mass_discharged());
+    json.add("mass_lost_kg", totals.mass_lost);
+    json.add("mass_balance_error", mass_balance_error());
+    if (has_flow_rate)
+      json.add("flow_rate_plateau_kg_per_s", flow_rate_plateau);
+    json.add("end_time_s", clock.time);
+    return json.text();
+  }
+
+
+
+  double
+  peak_memory()
+  {
+    Utilities::System::MemoryStats statistics;
+    Utilities::System::get_memory_stats(statistics);
+    return statistics.VmHWM / 1024.;
+  }
+} // namespace Sandglass

@@ -1,0 +1,208 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/observers/wall_tractions.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace Sandglass
+{
+  namespace
+  {
+    const std::vector<std::string> columns = {"time_s",
+                                              "wall",
+                                              "arc_length_m",
+                                              "x_m",
+                                              "y_m",
+                                              "normal_Pa",
+                                              "tangential_Pa",
+                                              "janssen_normal_Pa"};
+
+
+
+    Janssen
+    make_janssen(const OutputParameters   &parameters,
+                 const Scene              &scene,
+                 const MaterialParameters &material,
+                 const WallParameters     &walls,
+                 const SiloMeasures       &measures)
+    {
+      const double parts_of_width =
+        scene.formulation == Formulation::plane_strain ? 2. : 4.;
+      return {material.density * scene.gravity.norm(),
+              measures.wall_width / parts_of_width,
+              parameters.lateral_pressure_ratio > 0. ?
+                parameters.lateral_pressure_ratio :
+                Janssen::standard_lateral_pressure_ratio(
+                  material.internal_friction_angle),
+              walls.friction_coefficient()};
+    }
+
+
+
+    /// What one rank tells another about a force.
+    using Parcel = std::array<double, 8>;
+
+    Parcel
+    pack(const WallForce &force)
+    {
+      return {{force.position[0],
+               force.position[1],
+               static_cast<double>(force.role),
+               force.normal[0],
+               force.normal[1],
+               force.tributary_area,
+               force.normal_force,
+               force.tangential_force}};
+    }
+
+
+
+    WallForce
+    unpack(const Parcel &parcel)
+    {
+      return {Point<dim>(parcel[0], parcel[1]),
+              static_cast<BoundaryRole>(parcel[2]),
+              Tensor<1, dim>({parcel[3], parcel[4]}),
+              parcel[5],
+              parcel[6],
+              parcel[7]};
+    }
+
+
+
+    bool
+    comes_before(const WallTraction &a, const WallTraction &b)
+    {
+      const auto rank = [](const WallTraction &traction) {
+        return std::make_tuple(traction.force.role,
+                               traction.place.line,
+                               traction.place.arc_length);
+      };
+      return rank(a) < rank(b);
+    }
+  } // namespace
+
+
+
+  WallTractions::WallTractions(const OutputParameters   &parameters,
+                               const Scene              &scene,
+                               const MaterialParameters &material,
+                               const WallParameters     &walls)
+    : communicator(scene.communicator)
+    , is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
+    , fill_top(scene.fill_top)
+    , measures(scene)
+    , janssen(make_janssen(parameters, scene, material, walls, measures))
+    , lines(scene.mesh, measures.bottom_centre)
+    , table(parameters.directory + "/wall_traction.csv", columns)
+    , series(parameters.directory, "walls", MPI_COMM_SELF)
+  {}
+
+
+
+  void
+  WallTractions::open()
+  {
+    if (is_writer)
+      table.open();
+  }
+
+
+
+  std::vector<WallTraction>
+  WallTractions::collect(const std::vector<WallForce> &forces) const
+  {
+    std::vector<Parcel> parcels;
+    for (const auto &force : forces)
+      if (is_wall(force.role))
+        parcels.push_back(pack(force));
+
+    std::vector<WallTraction> tractions;
+    for (const auto &of_rank : Utilities::MPI::gather(communicator, parcels))
+      for (const auto &parcel : of_rank)
+        {
+          const WallForce force = unpack(parcel);
+          tractions.push_back({force,
+                               lines.find(force.role, force.position),
+                               force.normal_force / force.tributary_area,
+                               force.tangential_force / force.tributary_area,
+                               janssen_pressure(force)});
+        }
+    std::sort(tractions.begin(), tractions.end(), comes_before);
+    return tractions;
+  }
+
+
+
+  double
+  WallTractions::janssen_pressure(const WallForce &force) const
+  {
+    const double depth = fill_top - force.position[1];
+    if (force.role == BoundaryRole::wall)
+      return janssen.horizontal_pressure(depth);
+    // The bottom of the vertical part, not that below a hopper.
+    const bool is_bottom =
+      force.role != BoundaryRole::hopper &&
+      force.position[1] > measures.wall_foot - 1e-6 * depth;
+    return is_bottom ? janssen.vertical_pressure(depth) :
+                       std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+
+  void
+  WallTractions::write(const double                     time,
+                       const std::vector<WallTraction> &tractions)
+  {
+    if (!is_writer)
+      return;
+    for (const auto &traction : tractions)
+      table.add_row(time,
+                    name_of(traction.force.role),
+                    traction.place.arc_length,
+                    traction.force.position[0],
+                    traction.force.position[1],
+                    traction.normal,
+                    traction.tangential,
+                    traction.janssen_normal);
+    table.flush();
+    series.write(time, wall_fields(tractions));
+  }
+
+
+
+  VtuPiece
+  wall_fields(const std::vector<WallTraction> &tractions)
+  {
+    std::vector<float> normal, tangential, janssen, vector;
+    VtuPiece           piece;
+    piece.points_per_cell = 2;
+    for (unsigned int i = 0; i < tractions.size(); ++i)
+      {
+        const WallTraction &traction = tractions[i];
+        const Point<dim>   &position = traction.force.position;
+        piece.points.insert(piece.points.end(), {position[0], position[1], 0.});
+
+        const Tensor<1, dim> on_material =
+          -traction.normal * traction.force.normal +
+          traction.tangential * wall_tangent(traction.force.normal);
+        for (const double component : {on_material[0], on_material[1], 0.})
+          vector.push_back(component);
+        normal.push_back(traction.normal);
+        tangential.push_back(traction.tangential);
+        janssen.push_back(traction.janssen_normal);
+
+        if (i > 0 && traction.force.role == tractions[i - 1].force.role &&
+            traction.place.line == tractions[i - 1].place.line)
+          piece.cells.insert(piece.cells.end(), {i - 1, i});
+      }
+    piece.point_fields = {
+      {"normal traction", 1, std::move(normal), {}},
+      {"tangential traction", 1, std::move(tangential), {}},
+      {"traction on material", 3, std::move(vector), {}},
+      {"Janssen normal traction", 1, std::move(janssen), {}}};
+    return piece;
+  }
+} // namespace Sandglass

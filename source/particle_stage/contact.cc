@@ -1,0 +1,227 @@
+#include <sandglass/particle_stage/contact.h>
+
+namespace Sandglass
+{
+  Contact::Contact(const Scene &scene, const WallParameters &parameters)
+    : friction(parameters.friction_coefficient(),
+               parameters.tangential_penalty)
+  {
+    for (const auto &boundary :
+         find_boundary_nodes(scene.dof_handler, scene.formulation, parameters))
+      {
+        if (!scene.nodes->in_local_range(boundary.dof))
+          continue;
+        Node node{scene.nodes->global_to_local(boundary.dof), boundary, {}};
+        for (unsigned int s = 0; s < boundary.supports.size(); ++s)
+          node.impulse[s] = {boundary.position,
+                             boundary.supports[s].role,
+                             boundary.supports[s].normal,
+                             boundary.supports[s].tributary_area,
+                             0.,
+                             0.};
+        nodes.push_back(node);
+      }
+    memories.resize(nodes.size());
+  }
+
+
+
+  void
+  Contact::apply(const NodalField<NodalSum::n_components> &sums,
+                 const double                              time_step,
+                 NodalField<dim>                          &acceleration)
+  {
+    summed_time += time_step;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      {
+        Node         &node = nodes[n];
+        const double *sum  = sums.at(node.index);
+        const double  mass = sum[NodalSum::mass];
+        if (mass <= 0.)
+          {
+            memories[n] = {};
+            continue;
+          }
+
+        double        *node_acceleration = acceleration.at(node.index);
+        Tensor<1, dim> velocity, free_velocity;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            velocity[d]      = sum[NodalSum::momentum + d] / mass;
+            free_velocity[d] = velocity[d] + time_step * node_acceleration[d];
+          }
+
+        const unsigned int holding =
+          holding_supports(node.boundary, free_velocity);
+        Tensor<1, dim> end_velocity =
+          held_velocity(node.boundary, holding, free_velocity);
+        if (holding == 3 || node.boundary.is_fixed)
+          record_normal_impulses(node, mass * (end_velocity - free_velocity));
+        for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
+          if (holding == 1u << s && !node.boundary.is_fixed)
+            end_velocity += wall_reaction(node,
+                                          memories[n][s],
+                                          s,
+                                          mass,
+                                          velocity,
+                                          free_velocity,
+                                          time_step);
+          else
+            memories[n][s] = {};
+
+        for (unsigned int d = 0; d < dim; ++d)
+          node_acceleration[d] = (end_velocity[d] - velocity[d]) / time_step;
+      }
+  }
+
+
+
+  Tensor<1, dim>
+  Contact::wall_reaction(Node                 &node,
+                         FrictionMemory       &memory,
+                         const unsigned int    support_index,
+                         const double          mass,
+                         const Tensor<1, dim> &velocity,
+                         const Tensor<1, dim> &free_velocity,
+                         const double          time_step)
+  {
+    const NodeSupport &support        = node.boundary.supports[support_index];
+    WallForce         &impulse        = node.impulse[support_index];
+    const double       normal_impulse = mass * (free_velocity * support.normal);
+    impulse.normal_force += normal_impulse;
+    if (support.role == BoundaryRole::axis)
+      return {};
+
+    const Tensor<1, dim> tangent       = wall_tangent(support.normal);
+    const double         free_tangential = free_velocity * tangent;
+    const double         force = friction.tangential_force(memory,
+                                                   normal_impulse / time_step,
+                                                   velocity * tangent,
+                                                   free_tangential,
+                                                   mass,
+                                                   support.tributary_area,
+                                                   time_step);
+    impulse.tangential_force += force * time_step;
+    const double change = time_step * force / mass;
+    dissipation -= force * time_step * (free_tangential + change);
+    return change * tangent;
+  }
+
+
+
+  void
+  Contact::record_normal_impulses(Node                 &node,
+                                  const Tensor<1, dim> &impulse) const
+  {
+    auto &records = node.impulse;
+    if (node.boundary.supports.size() == 1)
+      {
+        records[0].normal_force -= impulse * records[0].normal;
+        records[0].tangential_force +=
+          impulse * wall_tangent(records[0].normal);
+        return;
+      }
+    // impulse = -(a n_0 + b n_1)
+    const Tensor<1, dim> &n0 = records[0].normal, &n1 = records[1].normal;
+    const double          determinant = n0[0] * n1[1] - n0[1] * n1[0];
+    records[0].normal_force -=
+      (impulse[0] * n1[1] - impulse[1] * n1[0]) / determinant;
+    records[1].normal_force -=
+      (n0[0] * impulse[1] - n0[1] * impulse[0]) / determinant;
+  }
+
+
+
+  void
+  Contact::constrain(NodalField<dim> &velocity) const
+  {
+    for (const Node &node : nodes)
+      {
+        double              *values = velocity.at(node.index);
+        const Tensor<1, dim> free_velocity({values[0], values[1]});
+        const Tensor<1, dim> held =
+          held_velocity(node.boundary,
+                        holding_supports(node.boundary, free_velocity),
+                        free_velocity);
+        for (unsigned int d = 0; d < dim; ++d)
+          values[d] = held[d];
+      }
+  }
+
+
+
+  unsigned int
+  Contact::holding_supports(const BoundaryNode   &node,
+                            const Tensor<1, dim> &velocity)
+  {
+    const auto holds = [&node](const unsigned int    s,
+                               const Tensor<1, dim> &trial_velocity) {
+      return node.supports[s].role == BoundaryRole::axis ||
+             trial_velocity * node.supports[s].normal > 0.;
+    };
+
+    if (node.supports.size() == 1)
+      return holds(0, velocity) ? 1 : 0;
+
+    unsigned int n_held = 0;
+    for (const unsigned int s : {0u, 1u})
+      if (holds(s, velocity))
+        {
+          ++n_held;
+          const unsigned int other = 1 - s;
+          if (!holds(other, held_velocity(node, 1u << s, velocity)))
+            return 1u << s;
+        }
+    return n_held == 0 ? 0 : 3;
+  }
+
+
+
+  Tensor<1, dim>
+  Contact::held_velocity(const BoundaryNode   &node,
+                         const unsigned int    holding,
+                         const Tensor<1, dim> &velocity)
+  {
+    if (node.is_fixed || holding == 3)
+      return {};
+    Tensor<1, dim> held = velocity;
+    for (unsigned int s = 0; s < node.supports.size(); ++s)
+      if (holding == 1u << s)
+        held -= (velocity * node.supports[s].normal) * node.supports[s].normal;
+    return held;
+  }
+
+
+
+  std::vector<WallForce>
+  Contact::take_mean_forces()
+  {
+    std::vector<WallForce> forces;
+    for (auto &node : nodes)
+      for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
+        {
+          WallForce &impulse = node.impulse[s];
+          forces.push_back(impulse);
+          if (summed_time > 0.)
+            {
+              forces.back().normal_force /= summed_time;
+              forces.back().tangential_force /= summed_time;
+            }
+          impulse.normal_force     = 0.;
+          impulse.tangential_force = 0.;
+        }
+    summed_time = 0.;
+    return forces;
+  }
+
+
+
+  std::vector<types::global_dof_index>
+  Contact::node_dofs() const
+  {
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &node : nodes)
+      dofs.push_back(node.boundary.dof);
+    return dofs;
+  }
+} // namespace Sandglass

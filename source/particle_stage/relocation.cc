@@ -1,0 +1,222 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/base/exceptions.h>
+#include <sandglass/particle_stage/relocation.h>
+
+#include <set>
+#include <sstream>
+
+namespace Sandglass
+{
+  namespace
+  {
+    /// Which cells touch a vertex where a wall meets the fall region's side.
+    std::vector<bool>
+    find_cells_at_lip(const Scene &scene)
+    {
+      std::set<unsigned int> on_wall, on_side;
+      for (const auto &face : scene.triangulation.active_face_iterators())
+        if (face->at_boundary())
+          {
+            const auto role = static_cast<BoundaryRole>(face->boundary_id());
+            for (const unsigned int v : {0u, 1u})
+              {
+                if (is_wall(role))
+                  on_wall.insert(face->vertex_index(v));
+                if (role == BoundaryRole::fall_side)
+                  on_side.insert(face->vertex_index(v));
+              }
+          }
+
+      std::vector<bool> result(scene.triangulation.n_active_cells(), false);
+      for (const auto &cell : scene.triangulation.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          if (on_wall.count(cell->vertex_index(v)) > 0 &&
+              on_side.count(cell->vertex_index(v)) > 0)
+            result[cell->active_cell_index()] = true;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <CellType cell_type>
+  Relocation<cell_type>::Relocation(const Scene                   &scene,
+                                    const Geometry                &geometry,
+                                    const WallParameters          &walls,
+                                    const ParticleStageParameters &parameters)
+    : geometry(geometry)
+    , communicator(scene.communicator)
+    , friction_coefficient(walls.friction_coefficient())
+    , stops_at_loss(parameters.on_lost_particle ==
+                    ParticleStageParameters::OnLostParticle::stop)
+  {
+    if (walls.outlet_lip == WallParameters::OutletLip::free)
+      is_at_free_lip = find_cells_at_lip(scene);
+  }
+
+
+
+  template <CellType cell_type>
+  void
+  Relocation<cell_type>::relocate(const std::vector<Stray> &strays,
+                                  ParticleCloud            &cloud,
+                                  const Clock              &clock)
+  {
+    departures.clear();
+    for (const Stray &stray : strays)
+      relocate_one(stray);
+    throw_if_faulty(clock);
+    cloud.move(departures);
+  }
+
+
+
+  template <CellType cell_type>
+  void
+  Relocation<cell_type>::relocate_one(const Stray &stray)
+  {
+    using Kind = typename Location::Kind;
+
+    const double mass = stray.particle->get_properties()[Property::mass];
+    Location location = geometry.find(stray.particle->get_location(), stray.cell);
+    if (location.kind == Kind::outside && is_held_by_lip(stray, location))
+      location = hold_at_wall(stray, location);
+
+    if (location.kind == Kind::inside)
+      settle(stray, location);
+    else if (location.kind == Kind::outside && is_open(location.role))
+      {
+        removed.discharged += mass;
+        departures.push_back({stray.particle, Departure::nowhere, {}});
+      }
+    else if (location.kind == Kind::outside &&
+             Geometry::is_inside(location.reference_point, -rounding))
+      settle(stray, location);
+    else
+      {
+        if (stops_at_loss || location.kind == Kind::invalid)
+          report_fault(stray, location);
+        removed.lost += mass;
+        departures.push_back({stray.particle, Departure::nowhere, {}});
+      }
+  }
+
+
+
+  template <CellType cell_type>
+  void
+  Relocation<cell_type>::settle(const Stray &stray, const Location &location)
+  {
+    const Point<dim> reference_point =
+      Geometry::Shape::clamp(location.reference_point, margin);
+    if (location.cell == stray.cell)
+      ParticleIterator(stray.particle)->set_reference_location(reference_point);
+    else
+      departures.push_back({stray.particle, location.cell, reference_point});
+  }
+
+
+
+  template <CellType cell_type>
+  bool
+  Relocation<cell_type>::is_held_by_lip(const Stray    &stray,
+                                        const Location &location) const
+  {
+    return !is_at_free_lip.empty() && is_wall(location.role) &&
+           (is_at_free_lip[stray.cell] || is_at_free_lip[location.cell]);
+  }
+
+
+
+  template <CellType cell_type>
+  typename Relocation<cell_type>::Location
+  Relocation<cell_type>::hold_at_wall(const Stray    &stray,
+                                      const Location &location) const
+  {
+    const auto          &shape = geometry.shape(location.cell);
+    const auto          &ends  = Geometry::Shape::face_nodes[location.face];
+    const Point<dim>     start = shape.node(ends[0]);
+    const Tensor<1, dim> edge  = shape.node(ends[1]) - start;
+    const Tensor<1, dim> tangent = edge / edge.norm();
+    Tensor<1, dim>       normal({tangent[1], -tangent[0]});
+
+    ParticleIterator     particle = stray.particle;
+    const Point<dim>     position = particle->get_location();
+    const Tensor<1, dim> offset   = position - start;
+    if (normal * offset < 0.)
+      normal *= -1.;
+
+    double             *state = particle->get_properties().data();
+    const Tensor<1, dim> velocity(
+      {state[Property::velocity], state[Property::velocity + 1]});
+    const double into_wall  = std::max(0., velocity * normal);
+    const double along_wall = velocity * tangent;
+    const double friction   = std::min(std::abs(along_wall),
+                                     friction_coefficient * into_wall);
+    const Tensor<1, dim> held_velocity =
+      velocity - into_wall * normal -
+      std::copysign(friction, along_wall) * tangent;
+    for (unsigned int d = 0; d < dim; ++d)
+      state[Property::velocity + d] = held_velocity[d];
+
+    // A little inside, so that the walk ends in a cell.
+    const Point<dim> on_wall =
+      position - (normal * offset + margin * edge.norm()) * normal;
+    particle->set_location(on_wall);
+    return geometry.find(on_wall, location.cell);
+  }
+
+
+
+  template <CellType cell_type>
+  void
+  Relocation<cell_type>::report_fault(const Stray    &stray,
+                                      const Location &location)
+  {
+    if (!fault.empty())
+      return;
+    const auto         state = stray.particle->get_properties();
+    std::ostringstream message;
+    message << "Particle " << stray.particle->get_id() << " at ("
+            << stray.particle->get_location() << ") m with velocity ("
+            << state[Property::velocity] << ' ' << state[Property::velocity + 1]
+            << ") m/s, last in cell " << stray.cell << ", ";
+    if (location.kind == Location::Kind::invalid)
+      message << "has a position that is not a number; the run is unstable. Try "
+                 "a smaller Particle stage/Time step (auto follows the critical "
+                 "one) or another Density update.";
+    else
+      message << "has left the grid through the "
+              << name_of(location.role)
+              << ". Try a smaller Particle stage/Time step, or set On lost "
+                 "particle = remove to go on without such particles.";
+    fault = message.str();
+  }
+
+
+
+  template <CellType cell_type>
+  void
+  Relocation<cell_type>::throw_if_faulty(const Clock &clock) const
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    if (n_ranks == 1)
+      {
+        if (!fault.empty())
+          throw RunError(describe(clock) + fault);
+        return;
+      }
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int faulty_rank =
+      Utilities::MPI::min(fault.empty() ? n_ranks : rank, communicator);
+    if (faulty_rank < n_ranks)
+      throw RunError(describe(clock) +
+                     Utilities::MPI::broadcast(communicator, fault, faulty_rank));
+  }
+
+
+
+  template class Relocation<CellType::triangle>;
+  template class Relocation<CellType::quadrilateral>;
+} // namespace Sandglass

@@ -1,0 +1,117 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/run/command_line.h>
+
+#include <boost/program_options.hpp>
+
+#include <sstream>
+
+namespace Sandglass
+{
+  namespace
+  {
+    namespace options = boost::program_options;
+
+    options::options_description
+    visible_options()
+    {
+      options::options_description description("Options");
+      auto                         add = description.add_options();
+      add("set,s",
+          options::value<std::vector<std::string>>()->composing()->value_name(
+            "Section/Name=value"),
+          "set a parameter; overrides the file");
+      add("output,o",
+          options::value<std::string>()->value_name("DIRECTORY"),
+          "where to write results; overrides Output/Directory");
+      add("restart", "go on from the output directory's checkpoint");
+      add("quiet", "print errors only");
+      add("validate", "read and check the parameters, then stop");
+      add("print-parameters",
+          options::value<std::string>()->implicit_value("prm")->value_name(
+            "prm|md|json"),
+          "print all parameters with defaults and documentation");
+      add("help", "print this text");
+      add("version", "print the versions of Sandglass and its libraries");
+      return description;
+    }
+
+    CommandLine
+    interpret(const options::variables_map &values)
+    {
+      CommandLine result;
+      using Task = CommandLine::Task;
+      if (values.count("help") > 0)
+        result.task = Task::print_help;
+      else if (values.count("version") > 0)
+        result.task = Task::print_version;
+      else if (values.count("print-parameters") > 0)
+        {
+          result.task         = Task::print_parameters;
+          result.print_format = values["print-parameters"].as<std::string>();
+          if (result.print_format != "prm" && result.print_format != "md" &&
+              result.print_format != "json")
+            throw InputError("--print-parameters " + result.print_format +
+                             ": allowed are prm, md and json");
+        }
+      else
+        {
+          if (values.count("file") == 0)
+            throw InputError("No parameter file given.\n" +
+                             command_line_help());
+          result.task =
+            values.count("validate") > 0 ? Task::validate : Task::run;
+          result.parameter_file = values["file"].as<std::string>();
+        }
+      if (values.count("set") > 0)
+        result.settings = values["set"].as<std::vector<std::string>>();
+      if (values.count("output") > 0)
+        result.output_directory = values["output"].as<std::string>();
+      result.is_restart = values.count("restart") > 0;
+      result.is_quiet   = values.count("quiet") > 0;
+      return result;
+    }
+  } // namespace
+
+
+
+  std::string
+  command_line_help()
+  {
+    std::ostringstream text;
+    text << "Usage: sandglass FILE.prm [-s \"Section/Name=value\"]... "
+            "[-o DIRECTORY] [--restart] [--quiet]\n"
+            "       sandglass --validate FILE.prm\n"
+            "       sandglass --print-parameters [prm|md|json]\n"
+            "       mpirun -n N sandglass FILE.prm\n\n"
+         << visible_options()
+         << "\nExit code: 0 done, 1 the run failed, 2 the input was refused.";
+    return text.str();
+  }
+
+
+
+  CommandLine
+  parse_command_line(const int argc, const char *const argv[])
+  {
+    options::options_description all = visible_options();
+    all.add_options()("file", options::value<std::string>());
+    options::positional_options_description positional;
+    positional.add("file", 1);
+
+    options::variables_map values;
+    try
+      {
+        options::store(options::command_line_parser(argc, argv)
+                         .options(all)
+                         .positional(positional)
+                         .run(),
+                       values);
+      }
+    catch (const options::error &error)
+      {
+        throw InputError("Command line: " + std::string(error.what()) +
+                         "; sandglass --help lists what is allowed");
+      }
+    return interpret(values);
+  }
+} // namespace Sandglass

@@ -1,0 +1,114 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/observers/banner.h>
+#include <sandglass/observers/observers.h>
+#include <sandglass/observers/output_directory.h>
+#include <sandglass/run/run.h>
+#include <sandglass/run/static_to_particles.h>
+#include <sandglass/scene/make_mesh.h>
+#include <sandglass/static_stage/static_stage.h>
+
+#include <optional>
+
+namespace Sandglass
+{
+  namespace
+  {
+    Scene
+    make_scene(const SceneParameters &parameters, const MPI_Comm communicator)
+    {
+      return {make_mesh(parameters, communicator),
+              parameters.formulation,
+              parameters.particles_per_cell,
+              parameters.gravity,
+              communicator};
+    }
+
+
+
+    /// Find the state at rest and carry it to the particles; returns the forces
+    /// on the walls, or nothing where the parameters leave this stage out.
+    std::optional<std::vector<WallForce>>
+    rest(const Parameters &parameters,
+         ParticleStage    &stage,
+         Log              &log,
+         TimerOutput      &timings)
+    {
+      if (!parameters.static_stage.is_enabled)
+        return {};
+      TimerOutput::Scope scope(timings, Timing::static_stage);
+      StaticStage        static_stage(stage.scene,
+                               parameters.material,
+                               parameters.walls,
+                               parameters.static_stage,
+                               log.stream());
+      const StaticState  state = static_stage.run();
+      if (parameters.output.writes_grid)
+        static_stage.write_vtu(parameters.output.directory);
+      carry_to_particles(state, stage);
+      return state.wall_forces;
+    }
+
+
+
+    void
+    flow(ParticleStage &stage, Observers &observers, TimerOutput &timings)
+    {
+      while (!stage.is_finished())
+        {
+          {
+            TimerOutput::Scope scope(timings, Timing::particle_loop);
+            stage.step();
+          }
+          observers.after_step(stage);
+        }
+    }
+  } // namespace
+
+
+
+  void
+  run(const Parameters  &parameters,
+      const CommandLine &command_line,
+      const MPI_Comm     communicator)
+  {
+    Log log(communicator, command_line.is_quiet);
+    log.stream() << banner(communicator) << std::flush;
+
+    TimerOutput timings(communicator,
+                        log.stream(),
+                        TimerOutput::never,
+                        TimerOutput::wall_times);
+    timings.enter_subsection(Timing::set_up);
+    const Scene scene = make_scene(parameters.scene, communicator);
+    const std::unique_ptr<ParticleStage> stage =
+      make_particle_stage(scene,
+                          parameters.material,
+                          parameters.walls,
+                          parameters.particle_stage);
+    timings.leave_subsection();
+
+    prepare_output_directory(parameters.output,
+                             command_line.is_restart,
+                             communicator,
+                             log);
+    Observers observers(parameters.output,
+                        scene,
+                        parameters.material,
+                        parameters.walls,
+                        parameters.particle_stage.end_time,
+                        log,
+                        timings);
+    try
+      {
+        const auto wall_forces = rest(parameters, *stage, log, timings);
+        observers.start(*stage, wall_forces ? &*wall_forces : nullptr);
+        flow(*stage, observers, timings);
+        observers.finish(*stage);
+      }
+    catch (const RunError &error)
+      {
+        observers.finish_after_failure(error.what());
+        throw;
+      }
+  }
+} // namespace Sandglass

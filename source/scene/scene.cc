@@ -1,0 +1,69 @@
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+
+#include <sandglass/scene/scene.h>
+#include <sandglass/scene/triangulate.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Sandglass
+{
+  Scene::Scene(const Mesh           &mesh,
+               const Formulation     formulation,
+               const unsigned int    particles_per_cell,
+               const Tensor<1, dim> &gravity,
+               const MPI_Comm        communicator)
+    : mesh(mesh)
+    , formulation(formulation)
+    , particles_per_cell(particles_per_cell)
+    , gravity(gravity)
+    , communicator(communicator)
+    , triangulation(communicator,
+                    Triangulation<dim>::none,
+                    true,
+                    parallel::shared::Triangulation<dim>::partition_metis)
+    , reference_cell(mesh.cell_type == CellType::triangle ?
+                       ReferenceCells::Triangle :
+                       ReferenceCells::Quadrilateral)
+    , mapping(reference_cell.get_default_linear_mapping<dim>())
+    , dof_handler(triangulation)
+  {
+    triangulate(mesh, triangulation);
+
+    if (mesh.cell_type == CellType::triangle)
+      finite_element = std::make_unique<FE_SimplexP<dim>>(1);
+    else
+      finite_element = std::make_unique<FE_Q<dim>>(1);
+    dof_handler.distribute_dofs(*finite_element);
+
+    IndexSet relevant_dofs;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
+    nodes = std::make_shared<const Utilities::MPI::Partitioner>(
+      dof_handler.locally_owned_dofs(), relevant_dofs, communicator);
+
+    cell_owners = triangulation.get_true_subdomain_ids_of_cells();
+    if (cell_owners.empty())
+      cell_owners.assign(triangulation.n_active_cells(), 0);
+
+    fill_bottom = std::numeric_limits<double>::max();
+    fill_top    = std::numeric_limits<double>::lowest();
+    for (const auto &cell : mesh.cells)
+      if (cell.is_filled)
+        for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
+          {
+            const double y = mesh.vertices[cell.vertices[v]][1];
+            fill_bottom    = std::min(fill_bottom, y);
+            fill_top       = std::max(fill_top, y);
+          }
+
+    const bool has_axis =
+      std::any_of(mesh.edges.begin(), mesh.edges.end(), [](const auto &edge) {
+        return edge.role == BoundaryRole::axis;
+      });
+    symmetry_factor =
+      formulation == Formulation::plane_strain && has_axis ? 2. : 1.;
+  }
+} // namespace Sandglass

@@ -1,0 +1,161 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/base/parameter_entries.h>
+#include <sandglass/scene/scene_parameters.h>
+
+#include <sstream>
+
+namespace Sandglass
+{
+  namespace
+  {
+    std::string
+    to_text(const double value)
+    {
+      std::ostringstream text;
+      text << value;
+      return text.str();
+    }
+  } // namespace
+
+
+
+  SceneParameters::SceneParameters()
+    : ParameterAcceptor("Scene")
+  {
+    using Bounds = BoundedNumber;
+
+    add_selection<Formulation>(
+      *this,
+      "Formulation",
+      formulation,
+      {{"plane strain", Formulation::plane_strain},
+       {"axisymmetric", Formulation::axisymmetric}},
+      "How the section extends to three dimensions: along z, with all results "
+      "per metre of depth, or turned about the axis x = 0.");
+    add_selection<Shape>(
+      *this,
+      "Shape",
+      shape,
+      {{"silo", Shape::silo}, {"mesh file", Shape::mesh_file}},
+      "Where the mesh comes from: the silo's half section described by the "
+      "lengths below, or a file.");
+    add_text(*this,
+             "Mesh file",
+             mesh_file,
+             dealii::Patterns::FileName(dealii::Patterns::FileName::input),
+             "Mesh in Gmsh's format, for Shape = mesh file. Physical lines "
+             "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top; "
+             "physical surfaces material and fall_region. Outlet level at "
+             "y = 0.");
+    add_number(*this,
+               "Half width",
+               half_width,
+               Bounds::greater_than(0.),
+               "m",
+               "Half width (plane strain) or radius (axisymmetric) of the silo.");
+    add_number(*this,
+               "Wall height",
+               wall_height,
+               Bounds::greater_than(0.),
+               "m",
+               "Height of the vertical wall; the material fills it.");
+    add_number(*this,
+               "Outlet half width",
+               outlet_half_width,
+               Bounds::greater_than(0.),
+               "m",
+               "Half width or radius of the outlet.");
+    add_number(*this,
+               "Hopper height",
+               hopper_height,
+               Bounds::at_least(0.),
+               "m",
+               "Height of the hopper below the vertical wall; 0 gives a flat "
+               "bottom.");
+    add_number(*this,
+               "Fall region depth",
+               fall_region_depth,
+               Bounds::greater_than(0.),
+               "m",
+               "Depth of the region below an open outlet in which material "
+               "falls before it is removed.");
+    add_number(*this,
+               "Element size",
+               element_size,
+               Bounds::greater_than(0.),
+               "m",
+               "Edge length of the cells.");
+    add_selection<MeshAlgorithm>(
+      *this,
+      "Mesh algorithm",
+      mesh_algorithm,
+      {{"Frontal-Delaunay", MeshAlgorithm::frontal_delaunay},
+       {"Delaunay", MeshAlgorithm::delaunay},
+       {"MeshAdapt", MeshAlgorithm::mesh_adapt}},
+      "Gmsh's algorithm for triangles; quadrilaterals are structured.");
+    add_integer(*this,
+                "Mesh seed",
+                mesh_seed,
+                1,
+                1000000,
+                "Seed of Gmsh's random numbers.");
+    add_selection<CellType>(*this,
+                            "Cell type",
+                            cell_type,
+                            {{"triangle", CellType::triangle},
+                             {"quadrilateral", CellType::quadrilateral}},
+                            "Shape of the cells.");
+    add_selection<unsigned int>(
+      *this,
+      "Particles per cell",
+      particles_per_cell,
+      {{"1", 1}, {"4", 4}, {"9", 9}, {"16", 16}, {"25", 25}, {"36", 36}, {"64", 64}},
+      "Material points in each filled cell: the centroids of equal parts into "
+      "which the cell's edges are divided.");
+    add_selection<bool>(*this,
+                        "Outlet",
+                        outlet_is_open,
+                        {{"open", true}, {"closed", false}},
+                        "Whether material can leave; a closed outlet belongs "
+                        "to the floor, and no fall region is meshed.");
+    add_parameter("Gravity",
+                  gravity,
+                  "Acceleration of gravity, x and y. Units: m/s^2.");
+  }
+
+
+
+  void
+  SceneParameters::check() const
+  {
+    if (shape == Shape::mesh_file)
+      {
+        if (mesh_file.empty())
+          throw InputError("Scene",
+                           "Mesh file",
+                           mesh_file,
+                           "allowed is the path of a mesh, since Shape = mesh "
+                           "file");
+        return;
+      }
+    if (outlet_half_width >= half_width)
+      throw InputError("Scene",
+                       "Outlet half width",
+                       to_text(outlet_half_width),
+                       "allowed is less than the silo's Half width of " +
+                         to_text(half_width) + " m");
+    if (element_size > outlet_half_width)
+      throw InputError("Scene",
+                       "Element size",
+                       to_text(element_size),
+                       "allowed is at most the Outlet half width of " +
+                         to_text(outlet_half_width) +
+                         " m, which must hold an element");
+    if (element_size > wall_height)
+      throw InputError("Scene",
+                       "Element size",
+                       to_text(element_size),
+                       "allowed is at most the Wall height of " +
+                         to_text(wall_height) + " m");
+  }
+} // namespace Sandglass

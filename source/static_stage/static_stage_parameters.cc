@@ -1,0 +1,43 @@
+#include <sandglass/base/parameter_entries.h>
+#include <sandglass/static_stage/static_stage_parameters.h>
+
+namespace Sandglass
+{
+  StaticStageParameters::StaticStageParameters()
+    : ParameterAcceptor("Static stage")
+  {
+    using Bounds = BoundedNumber;
+
+    add_flag(*this,
+             "Enabled",
+             is_enabled,
+             "Find the state at rest first; otherwise the material starts "
+             "without stress.");
+    add_integer(*this,
+                "Load steps",
+                n_load_steps,
+                1,
+                10000,
+                "Equal parts in which gravity is applied.");
+    add_number(*this,
+               "Relative residual",
+               relative_residual,
+               Bounds::between(0., 1.),
+               "1",
+               "Newton stops when the out-of-balance force is below this share "
+               "of the weight.");
+    add_integer(*this,
+                "Maximum iterations",
+                maximum_iterations,
+                1,
+                1000,
+                "Newton iterations after which a load step is cut in half.");
+    add_number(*this,
+               "Smallest load step",
+               smallest_load_step,
+               Bounds::between(0., 1.),
+               "1",
+               "Share of gravity below which a load step is not cut further: "
+               "the run stops.");
+  }
+} // namespace Sandglass

@@ -1,0 +1,124 @@
+#include <deal.II/base/numbers.h>
+
+#include <sandglass/walls/boundary_nodes.h>
+
+#include <algorithm>
+#include <map>
+
+namespace Sandglass
+{
+  namespace
+  {
+    constexpr double same_direction = 1. - 1e-8;
+
+    /// Outward normal of a straight boundary edge of `cell`.
+    template <typename CellIterator>
+    Tensor<1, dim>
+    outward_normal(const CellIterator &cell, const unsigned int face_no)
+    {
+      const auto           face    = cell->face(face_no);
+      const Tensor<1, dim> tangent = face->vertex(1) - face->vertex(0);
+      Tensor<1, dim>       normal{{tangent[1], -tangent[0]}};
+      normal /= normal.norm();
+      return normal * (face->center() - cell->center()) > 0. ? normal :
+                                                               -1. * normal;
+    }
+
+
+
+    /// Integral of the edge's linear shape function of its end `own` over the
+    /// edge's area.
+    double
+    tributary_area(const Point<dim> &own,
+                   const Point<dim> &other,
+                   const Formulation formulation)
+    {
+      const double length = own.distance(other);
+      if (formulation == Formulation::plane_strain)
+        return length / 2.;
+      return 2. * numbers::PI * length * (2. * own[0] + other[0]) / 6.;
+    }
+
+
+
+    void
+    add_support(std::vector<NodeSupport> &supports, const NodeSupport &added)
+    {
+      for (auto &support : supports)
+        if (support.normal * added.normal > same_direction &&
+            (support.role == BoundaryRole::axis) ==
+              (added.role == BoundaryRole::axis))
+          {
+            support.tributary_area += added.tributary_area;
+            support.role = std::min(support.role, added.role);
+            return;
+          }
+      supports.push_back(added);
+    }
+
+
+
+    bool
+    has_role(const BoundaryNode &node, const BoundaryRole role)
+    {
+      return std::any_of(node.supports.begin(),
+                         node.supports.end(),
+                         [role](const NodeSupport &support) {
+                           return support.role == role;
+                         });
+    }
+  } // namespace
+
+
+
+  std::vector<BoundaryNode>
+  find_boundary_nodes(const DoFHandler<dim> &dof_handler,
+                      const Formulation      formulation,
+                      const WallParameters  &parameters)
+  {
+    std::map<types::global_dof_index, BoundaryNode> nodes;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        for (const unsigned int face_no : cell->face_indices())
+          {
+            const auto face = cell->face(face_no);
+            if (!face->at_boundary())
+              continue;
+            const auto role = static_cast<BoundaryRole>(face->boundary_id());
+            for (const unsigned int v : {0u, 1u})
+              {
+                auto &node = nodes[face->vertex_dof_index(v, 0)];
+                node.dof      = face->vertex_dof_index(v, 0);
+                node.position = face->vertex(v);
+                if (role == BoundaryRole::fall_side)
+                  node.is_outlet_lip = true;
+                if (role == BoundaryRole::axis || is_wall(role))
+                  add_support(node.supports,
+                              {role,
+                               outward_normal(cell, face_no),
+                               tributary_area(face->vertex(v),
+                                              face->vertex(1 - v),
+                                              formulation)});
+              }
+          }
+      }
+
+    std::vector<BoundaryNode> result;
+    for (auto &[dof, node] : nodes)
+      {
+        const bool is_freed =
+          node.is_outlet_lip &&
+          parameters.outlet_lip == WallParameters::OutletLip::free;
+        if (node.supports.empty() || is_freed)
+          continue;
+        node.is_fixed = parameters.fix_bottom_corner &&
+                        has_role(node, BoundaryRole::wall) &&
+                        (has_role(node, BoundaryRole::floor) ||
+                         has_role(node, BoundaryRole::outlet));
+        result.push_back(node);
+      }
+    return result;
+  }
+} // namespace Sandglass

@@ -1,0 +1,95 @@
+#ifndef sandglass_tests_rectangle_mesh_h
+#define sandglass_tests_rectangle_mesh_h
+
+#include <sandglass/scene/mesh.h>
+
+#include <functional>
+
+/**
+ * A rectangle of n_x times n_y squares, each one quadrilateral or two triangles
+ * whose diagonals alternate; roles of its sides, and which cells are filled.
+ */
+struct Rectangle
+{
+  using Role  = Sandglass::BoundaryRole;
+  using Point = dealii::Point<2>;
+
+  Sandglass::CellType cell_type = Sandglass::CellType::triangle;
+  Point               lower{0., 0.}, upper{1., 1.};
+  unsigned int        n_x = 4, n_y = 4;
+  Role left = Role::axis, right = Role::wall, bottom = Role::floor,
+       top                                          = Role::top;
+  std::function<bool(const Point &)> is_filled      = [](const Point &) {
+    return true;
+  };
+  /// Moves an inner vertex; its argument is the regular position.
+  std::function<Point(const Point &)> displaced = [](const Point &point) {
+    return point;
+  };
+
+  Sandglass::Mesh
+  mesh() const
+  {
+    Sandglass::Mesh result;
+    result.cell_type = cell_type;
+    for (unsigned int j = 0; j <= n_y; ++j)
+      for (unsigned int i = 0; i <= n_x; ++i)
+        {
+          const Point regular(lower[0] + (upper[0] - lower[0]) * i / n_x,
+                              lower[1] + (upper[1] - lower[1]) * j / n_y);
+          const bool  is_inner = i > 0 && i < n_x && j > 0 && j < n_y;
+          result.vertices.push_back(is_inner ? displaced(regular) : regular);
+        }
+
+    for (unsigned int j = 0; j < n_y; ++j)
+      for (unsigned int i = 0; i < n_x; ++i)
+        {
+          const unsigned int a = vertex(i, j), b = vertex(i + 1, j),
+                             c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
+          if (cell_type == Sandglass::CellType::quadrilateral)
+            add_cell(result, {{a, b, c, d}}, 4);
+          else if ((i + j) % 2 == 0)
+            {
+              add_cell(result, {{a, b, c, 0}}, 3);
+              add_cell(result, {{a, c, d, 0}}, 3);
+            }
+          else
+            {
+              add_cell(result, {{a, b, d, 0}}, 3);
+              add_cell(result, {{b, c, d, 0}}, 3);
+            }
+        }
+
+    for (unsigned int i = 0; i < n_x; ++i)
+      {
+        result.edges.push_back({{{vertex(i, 0), vertex(i + 1, 0)}}, bottom});
+        result.edges.push_back({{{vertex(i, n_y), vertex(i + 1, n_y)}}, top});
+      }
+    for (unsigned int j = 0; j < n_y; ++j)
+      {
+        result.edges.push_back({{{vertex(0, j), vertex(0, j + 1)}}, left});
+        result.edges.push_back({{{vertex(n_x, j), vertex(n_x, j + 1)}}, right});
+      }
+    return result;
+  }
+
+private:
+  unsigned int
+  vertex(const unsigned int i, const unsigned int j) const
+  {
+    return j * (n_x + 1) + i;
+  }
+
+  void
+  add_cell(Sandglass::Mesh                   &mesh,
+           const std::array<unsigned int, 4> &vertices,
+           const unsigned int                 n) const
+  {
+    Point center;
+    for (unsigned int v = 0; v < n; ++v)
+      center += mesh.vertices[vertices[v]] / static_cast<double>(n);
+    mesh.cells.push_back({vertices, is_filled(center)});
+  }
+};
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef sandglass_tests_stage_fixture_h
+#define sandglass_tests_stage_fixture_h
+
+#include <sandglass/particle_stage/particle_stage.h>
+
+#include "rectangle_mesh.h"
+
+#include <memory>
+
+/**
+ * A particle stage on a hand-made mesh, with all parameters at hand before
+ * start() makes the stage.
+ *
+ * The parameter classes add themselves to a global list; it is cleared so that
+ * each test can make its own.
+ */
+struct StageFixture
+{
+  struct ClearedParameters
+  {
+    ClearedParameters()
+    {
+      dealii::ParameterAcceptor::clear();
+    }
+  };
+
+  ClearedParameters                  cleared;
+  Sandglass::MaterialParameters      material;
+  Sandglass::WallParameters          walls;
+  Sandglass::ParticleStageParameters parameters;
+
+  Sandglass::Formulation   formulation        = Sandglass::Formulation::plane_strain;
+  unsigned int             particles_per_cell = 4;
+  dealii::Tensor<1, 2>     gravity{{0., -9.81}};
+
+  std::unique_ptr<Sandglass::Scene>         scene;
+  std::unique_ptr<Sandglass::ParticleStage> stage;
+
+  Sandglass::ParticleStage &
+  start(const Sandglass::Mesh &mesh)
+  {
+    stage.reset();
+    parameters.check();
+    scene = std::make_unique<Sandglass::Scene>(
+      mesh, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
+    stage = Sandglass::make_particle_stage(*scene, material, walls, parameters);
+    return *stage;
+  }
+
+  /// Call `function(id, position, properties)` for each particle.
+  template <typename Function>
+  void
+  for_each_particle(const Function &function) const
+  {
+    for (auto &particle : stage->cloud.handler)
+      function(particle.get_id(),
+               particle.get_location(),
+               particle.get_properties());
+  }
+};
+
+#endif

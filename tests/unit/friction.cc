@@ -1,0 +1,63 @@
+#include <sandglass/walls/friction.h>
+
+#include <gtest/gtest.h>
+
+using namespace Sandglass;
+
+namespace
+{
+  // mu N = 3 N; c_T A dt = 0.5 N s / m
+  const CoulombFriction friction(0.3, 1e3);
+  constexpr double      normal_force = 10., mass = 2., area = 0.05,
+                   time_step = 0.01;
+
+  double
+  force(FrictionMemory &memory, const double velocity, const double free_velocity)
+  {
+    return friction.tangential_force(
+      memory, normal_force, velocity, free_velocity, mass, area, time_step);
+  }
+} // namespace
+
+TEST(Friction, StickingForceSolvesThePenaltyLawAtTheEndOfTheStep)
+{
+  FrictionMemory memory{0.7, false};
+  const double   result       = force(memory, 0.1, 0.2);
+  const double   end_velocity = 0.2 + time_step * result / mass;
+  EXPECT_NEAR(result, 0.7 - 1e3 * area * end_velocity * time_step, 1e-14);
+  EXPECT_FALSE(memory.is_sliding);
+  EXPECT_EQ(memory.tangential_force, result);
+}
+
+TEST(Friction, SlidesWhereThePenaltyForceExceedsTheLimit)
+{
+  FrictionMemory memory{-2.9, false};
+  EXPECT_DOUBLE_EQ(force(memory, 1., 1.), -3.);
+  EXPECT_TRUE(memory.is_sliding);
+}
+
+TEST(Friction, SlidingGoesOnWhileTheDirectionStays)
+{
+  FrictionMemory memory{-3., true};
+  EXPECT_DOUBLE_EQ(force(memory, 1., 0.5), -3.);
+  EXPECT_TRUE(memory.is_sliding);
+}
+
+TEST(Friction, StopsRatherThanTurnsBack)
+{
+  // Sliding friction would turn the node's velocity to -0.005 m/s.
+  FrictionMemory memory{-3., true};
+  const double   result       = force(memory, 0.02, 0.01);
+  const double   end_velocity = 0.01 + time_step * result / mass;
+  EXPECT_LE(std::abs(result), 3.);
+  EXPECT_FALSE(memory.is_sliding);
+  EXPECT_NEAR(result, -3. - 1e3 * area * end_velocity * time_step, 1e-14);
+}
+
+TEST(Friction, VanishesWithoutNormalForce)
+{
+  FrictionMemory memory{-1., false};
+  EXPECT_EQ(friction.tangential_force(
+              memory, 0., 1., 1., mass, area, time_step),
+            0.);
+}

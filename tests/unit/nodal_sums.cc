@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include "random_engine.h"
+#include "stage_fixture.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  class NodalSumsTest : public testing::TestWithParam<CellType>
+  {
+  protected:
+    /// Particles with random velocities on an irregular, half filled mesh.
+    void
+    start_with_random_velocities()
+    {
+      auto                                   engine = random_engine(3);
+      std::uniform_real_distribution<double> number(-1., 1.);
+      Rectangle                              rectangle;
+      rectangle.cell_type = GetParam();
+      rectangle.n_x = rectangle.n_y = 8;
+      rectangle.is_filled           = [](const Point<2> &center) {
+        return center[1] < 0.6;
+      };
+      rectangle.displaced = [&](const Point<2> &point) {
+        const double x = number(engine), y = number(engine);
+        return Point<2>(point[0] + 0.02 * x, point[1] + 0.02 * y);
+      };
+      fixture.start(rectangle.mesh());
+      fixture.for_each_particle([&](auto, auto, auto state) {
+        state[Property::velocity]     = number(engine);
+        state[Property::velocity + 1] = number(engine);
+      });
+    }
+
+    /// Sum of one component over all nodes.
+    double
+    sum_over_nodes(const unsigned int component) const
+    {
+      double sum = 0.;
+      for (unsigned int node = 0;
+           node < fixture.scene->nodes->locally_owned_size();
+           ++node)
+        sum += fixture.stage->fields.sums.at(node)[component];
+      return sum;
+    }
+
+    StageFixture fixture;
+  };
+} // namespace
+
+TEST_P(NodalSumsTest, CarryMassAndMomentumExactly)
+{
+  start_with_random_velocities();
+  fixture.stage->critical_time_step();
+  double mass = 0., momentum_x = 0., momentum_y = 0., scale = 0.;
+  fixture.for_each_particle([&](auto, auto, auto state) {
+    mass += state[Property::mass];
+    momentum_x += state[Property::mass] * state[Property::velocity];
+    momentum_y += state[Property::mass] * state[Property::velocity + 1];
+    scale += state[Property::mass];
+  });
+  EXPECT_NEAR(sum_over_nodes(NodalSum::mass) / mass, 1., 1e-14);
+  EXPECT_NEAR(sum_over_nodes(NodalSum::momentum), momentum_x, 1e-14 * scale);
+  EXPECT_NEAR(sum_over_nodes(NodalSum::momentum + 1),
+              momentum_y,
+              1e-14 * scale);
+}
+
+TEST_P(NodalSumsTest, ParticlesMassIsThatOfTheFilledCells)
+{
+  start_with_random_velocities();
+  double volume = 0.;
+  for (const auto &cell : fixture.scene->triangulation.active_cell_iterators())
+    if (fixture.scene->mesh.cells[cell->active_cell_index()].is_filled)
+      volume += cell->measure();
+  double mass = 0.;
+  fixture.for_each_particle(
+    [&](auto, auto, auto state) { mass += state[Property::mass]; });
+  EXPECT_NEAR(mass / (fixture.material.density * volume), 1., 1e-13);
+}
+
+TEST_P(NodalSumsTest, UniformStressIsInEquilibriumInside)
+{
+  // Patch test: in full cells the forces of a uniform stress cancel at inner
+  // nodes. The irregular quadrilaterals need the particles as exact quadrature.
+  Rectangle rectangle;
+  rectangle.cell_type = GetParam();
+  if (GetParam() == CellType::triangle)
+    rectangle.displaced = [](const Point<2> &point) {
+      return Point<2>(point[0] + 0.05 * std::sin(9. * point[1]),
+                      point[1] + 0.05 * std::sin(7. * point[0]));
+    };
+  fixture.start(rectangle.mesh());
+  fixture.for_each_particle([](auto, auto, auto state) {
+    const double stress[4] = {-3e3, -5e3, -2e3, 1e3};
+    std::copy_n(stress, 4, state.begin() + Property::stress);
+  });
+  fixture.stage->critical_time_step();
+
+  const auto &dof_handler = fixture.scene->dof_handler;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      {
+        const Point<2> vertex = cell->vertex(v);
+        if (std::min({vertex[0], 1. - vertex[0], vertex[1], 1. - vertex[1]}) <
+            1e-12)
+          continue;
+        const double *sums = fixture.stage->fields.sums.at(
+          fixture.scene->nodes->global_to_local(cell->vertex_dof_index(v, 0)));
+        EXPECT_NEAR(sums[NodalSum::internal_force] / 5e3, 0., 1e-13);
+        EXPECT_NEAR(sums[NodalSum::internal_force + 1] / 5e3, 0., 1e-13);
+      }
+}
+
+INSTANTIATE_TEST_SUITE_P(CellTypes,
+                         NodalSumsTest,
+                         testing::Values(CellType::triangle,
+                                         CellType::quadrilateral));

@@ -1,0 +1,174 @@
+#include <sandglass/observers/wall_tractions.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output_silo.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  TEST(WallLines, lengths_of_half_a_silo)
+  {
+    SmallSilo       silo;
+    const SmallRun  run(silo);
+    const WallLines lines(run.scene.mesh,
+                          SiloMeasures(run.scene).bottom_centre);
+    const auto      arc_length =
+      [&lines](const BoundaryRole role, const double x, const double y) {
+        return lines.find(role, Point<dim>(x, y)).arc_length;
+      };
+    EXPECT_NEAR(arc_length(BoundaryRole::floor, 0.2, 0.), 0.0, 1e-12);
+    EXPECT_NEAR(arc_length(BoundaryRole::floor, 0.4, 0.), 0.2, 1e-12);
+    EXPECT_NEAR(arc_length(BoundaryRole::wall, 0.4, 0.), 0.0, 1e-12);
+    EXPECT_NEAR(arc_length(BoundaryRole::wall, 0.4, 0.8), 0.8, 1e-12);
+    EXPECT_NEAR(arc_length(BoundaryRole::outlet, 0., 0.), 0.0, 1e-12);
+    EXPECT_NEAR(arc_length(BoundaryRole::outlet, 0.2, 0.), 0.2, 1e-12);
+  }
+
+
+
+  TEST(WallLines, both_sides_of_a_whole_silo)
+  {
+    // A hopper with a bend on each side of an outlet from x = -1 to 1.
+    Mesh mesh;
+    mesh.vertices = {{-1., 0.}, {1., 0.}, {-2., 2.}, {-3., 2.}, {4., 4.}};
+    mesh.edges    = {{{{3, 2}}, BoundaryRole::hopper},
+                     {{{2, 0}}, BoundaryRole::hopper},
+                     {{{4, 1}}, BoundaryRole::hopper}};
+    const WallLines lines(mesh, Point<dim>(0.1, 0.));
+    const auto     &left_end = lines.find(BoundaryRole::hopper, {-3., 2.});
+    EXPECT_NEAR(left_end.arc_length, std::sqrt(5.) + 1., 1e-12);
+    const auto &right_end = lines.find(BoundaryRole::hopper, {4., 4.});
+    EXPECT_NEAR(right_end.arc_length, 5., 1e-12);
+    EXPECT_EQ(right_end.line, 0);
+    EXPECT_EQ(left_end.line, 1);
+  }
+
+
+
+  TEST(SiloMeasures, widths_of_the_whole_silo)
+  {
+    SmallSilo          silo;
+    const SmallRun     run(silo);
+    const SiloMeasures measures(run.scene);
+    EXPECT_TRUE(measures.has_open_outlet);
+    EXPECT_NEAR(measures.outlet_width, 0.4, 1e-12);
+    EXPECT_NEAR(measures.wall_width, 0.8, 1e-12);
+    EXPECT_NEAR(measures.wall_foot, 0., 1e-12);
+  }
+
+
+
+  /// Forces of the given tractions at all nodes of walls.
+  std::vector<WallForce>
+  make_forces(const SmallRun &run, const double normal, const double tangential)
+  {
+    std::vector<WallForce> forces = run.stage->contact.take_mean_forces();
+    for (auto &force : forces)
+      {
+        force.normal_force     = normal * force.tributary_area;
+        force.tangential_force = tangential * force.tributary_area;
+      }
+    return forces;
+  }
+
+
+
+  TEST(WallTractions, force_over_tributary_area_in_order_along_walls)
+  {
+    SmallSilo           silo;
+    SmallRun            run(silo);
+    const WallTractions observer(silo.output,
+                                 run.scene,
+                                 silo.material,
+                                 silo.walls);
+    const auto tractions = observer.collect(make_forces(run, 1000., -50.));
+
+    // 9 nodes on the wall, 3 on the floor; none on axis and open outlet
+    ASSERT_EQ(tractions.size(), 12);
+    for (unsigned int i = 0; i < tractions.size(); ++i)
+      {
+        EXPECT_EQ(tractions[i].force.role,
+                  i < 9 ? BoundaryRole::wall : BoundaryRole::floor);
+        EXPECT_NEAR(tractions[i].place.arc_length,
+                    0.1 * (i < 9 ? i : i - 9),
+                    1e-9);
+        EXPECT_NEAR(tractions[i].normal, 1000., 1e-9);
+        EXPECT_NEAR(tractions[i].tangential, -50., 1e-9);
+      }
+  }
+
+
+
+  TEST(WallTractions, janssen_beside_them)
+  {
+    SmallSilo silo;
+    silo.output.lateral_pressure_ratio = 0.5;
+    SmallRun            run(silo);
+    const WallTractions observer(silo.output,
+                                 run.scene,
+                                 silo.material,
+                                 silo.walls);
+    const auto          tractions = observer.collect(make_forces(run, 1., 0.));
+    const double        gamma     = 1500. * 9.81;
+    const double        mu        = std::tan(20. * numbers::PI / 180.);
+    const double        z0        = 0.8 / (2. * 0.5 * mu);
+    for (const auto &traction : tractions)
+      {
+        const double z  = 0.8 - traction.force.position[1];
+        const double ph = gamma * 0.5 * z0 * (1. - std::exp(-z / z0));
+        EXPECT_NEAR(traction.janssen_normal,
+                    traction.force.role == BoundaryRole::wall ? ph : ph / 0.5,
+                    1e-6);
+      }
+  }
+
+
+
+  TEST(WallTractions, no_janssen_in_the_hopper)
+  {
+    SmallSilo silo;
+    silo.scene.hopper_height  = 0.2;
+    silo.scene.outlet_is_open = false;
+    SmallRun            run(silo);
+    const WallTractions observer(silo.output,
+                                 run.scene,
+                                 silo.material,
+                                 silo.walls);
+    const auto          tractions = observer.collect(make_forces(run, 1., 0.));
+    EXPECT_TRUE(std::any_of(
+      tractions.begin(), tractions.end(), [](const WallTraction &traction) {
+        return traction.force.role == BoundaryRole::outlet;
+      }));
+    for (const auto &traction : tractions)
+      EXPECT_EQ(std::isnan(traction.janssen_normal),
+                traction.force.role != BoundaryRole::wall);
+  }
+
+
+
+  TEST(WallTractions, picture_has_a_line_for_each_wall)
+  {
+    SmallSilo           silo;
+    SmallRun            run(silo);
+    const WallTractions observer(silo.output,
+                                 run.scene,
+                                 silo.material,
+                                 silo.walls);
+    const VtuPiece      piece =
+      wall_fields(observer.collect(make_forces(run, 1000., 50.)));
+    EXPECT_EQ(piece.points.size(), 3 * 12);
+    EXPECT_EQ(piece.cells.size(), 2 * (8 + 2));
+
+    const auto &on_material = piece.point_fields.at(2);
+    ASSERT_EQ(on_material.name, "traction on material");
+    const auto &values = std::get<std::vector<float>>(on_material.values);
+    // The wall at the right pushes to the left, the floor up.
+    EXPECT_FLOAT_EQ(values[0], -1000.);
+    EXPECT_FLOAT_EQ(values[1], 50.);
+    EXPECT_FLOAT_EQ(values[3 * 11], 50.);
+    EXPECT_FLOAT_EQ(values[3 * 11 + 1], 1000.);
+  }
+} // namespace
