@@ -30,6 +30,15 @@ namespace Sandglass
 
 
   void
+  FieldSeries::open() const
+  {
+    if (rank == 0 && !times_and_names.empty())
+      write_pvd();
+  }
+
+
+
+  void
   FieldSeries::write(const double time, const VtuPiece &piece)
   {
     const std::string stem =

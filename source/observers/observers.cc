@@ -5,6 +5,11 @@
 #include <sandglass/observers/output_directory.h>
 #include <sandglass/observers/replace_file.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
+#include <sstream>
+
 namespace Sandglass
 {
   Observers::Observers(const OutputParameters   &parameters,
@@ -15,25 +20,25 @@ namespace Sandglass
                        Log                      &log,
                        TimerOutput              &timings)
     : parameters(parameters)
+    , scene(scene)
+    , material(material)
+    , walls(walls)
     , communicator(scene.communicator)
-    , is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
-    , elasticity(material.elasticity())
+    , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
     , log(log)
     , timings(timings)
     , history_times(parameters.history_interval)
     , field_times(parameters.interval)
+    , checkpoint_times(parameters.checkpoint_interval)
     , progress(log, parameters.progress_interval, end_time)
     , history(parameters, scene, material)
+    , particles(parameters.directory, "particles", communicator)
+    , grid(parameters.directory, "grid", communicator)
+    , wall_tractions(parameters, scene, material, walls)
   {
     summary.n_ranks       = Utilities::MPI::n_mpi_processes(communicator);
     summary.n_cells       = scene.triangulation.n_active_cells();
     summary.has_flow_rate = SiloMeasures(scene).has_open_outlet;
-    if (parameters.writes_particles)
-      particles.emplace(parameters.directory, "particles", communicator);
-    if (parameters.writes_grid)
-      grid.emplace(parameters.directory, "grid", communicator);
-    if (parameters.writes_walls)
-      wall_tractions.emplace(parameters, scene, material, walls);
   }
 
 
@@ -44,17 +49,33 @@ namespace Sandglass
   {
     {
       TimerOutput::Scope scope(timings, Timing::output);
-      do_and_share_errors(communicator, [this]() {
-        history.open();
-        if (wall_tractions)
-          wall_tractions->open();
-      });
+      open_files();
       observe_history(stage);
       summary.n_particles  = summary.totals.n_particles;
       summary.initial_mass = summary.totals.mass();
       observe_fields(stage);
-      if (wall_tractions && static_wall_forces != nullptr)
+      if (static_wall_forces != nullptr)
         observe_walls(stage.clock, *static_wall_forces);
+    }
+    write_summary("running");
+    progress.start(stage.clock.time);
+  }
+
+
+
+  void
+  Observers::resume(ParticleStage &stage, const Checkpoint &checkpoint)
+  {
+    {
+      TimerOutput::Scope              scope(timings, Timing::output);
+      std::istringstream              state(checkpoint.observers);
+      boost::archive::binary_iarchive archive(state);
+      archive >> *this;
+      restore(checkpoint, stage);
+      for (Schedule *times : {&history_times, &field_times, &checkpoint_times})
+        times->pass(stage.clock.time);
+      open_files();
+      update_summary(stage.clock, ParticleTotals(stage, material.elasticity()));
     }
     write_summary("running");
     progress.start(stage.clock.time);
@@ -67,23 +88,27 @@ namespace Sandglass
   {
     progress.after_step(stage.clock, summary.totals.n_particles);
 
-    const double time           = stage.clock.time;
-    const bool   history_is_due = history_times.is_due(time);
-    const bool   fields_are_due = field_times.is_due(time);
-    if (!history_is_due && !fields_are_due)
+    const double time              = stage.clock.time;
+    const bool   history_is_due    = history_times.is_due(time);
+    const bool   fields_are_due    = field_times.is_due(time);
+    const bool   checkpoint_is_due = checkpoint_times.is_due(time);
+    if (!history_is_due && !fields_are_due && !checkpoint_is_due)
       return;
 
-    TimerOutput::Scope scope(timings, Timing::output);
-    if (history_is_due)
-      observe_history(stage);
-    if (fields_are_due)
-      {
-        observe_fields(stage);
-        if (wall_tractions)
+    {
+      TimerOutput::Scope scope(timings, Timing::output);
+      if (history_is_due)
+        observe_history(stage);
+      if (fields_are_due)
+        {
+          observe_fields(stage);
           observe_walls(stage.clock, stage.contact.take_mean_forces());
-        scope.stop();
-        write_summary("running");
-      }
+        }
+      if (checkpoint_is_due)
+        observe_checkpoint(stage);
+    }
+    if (fields_are_due)
+      write_summary("running");
   }
 
 
@@ -98,9 +123,10 @@ namespace Sandglass
       if (last_field_step != stage.clock.step)
         {
           observe_fields(stage);
-          if (wall_tractions)
-            observe_walls(stage.clock, stage.contact.take_mean_forces());
+          observe_walls(stage.clock, stage.contact.take_mean_forces());
         }
+      if (parameters.checkpoint_interval > 0.)
+        observe_checkpoint(stage);
     }
     write_summary("finished");
     timings.print_summary();
@@ -120,19 +146,42 @@ namespace Sandglass
 
 
   void
+  Observers::open_files()
+  {
+    do_and_share_errors(communicator, [this]() {
+      history.open();
+      particles.open();
+      grid.open();
+      if (parameters.writes_walls)
+        wall_tractions.open();
+    });
+  }
+
+
+
+  void
+  Observers::update_summary(const Clock &clock, const ParticleTotals &totals)
+  {
+    summary.clock             = clock;
+    summary.totals            = totals;
+    summary.flow_rate_plateau = history.flow_rate_plateau();
+    summary.peak_memory = Utilities::MPI::sum(peak_memory(), communicator);
+  }
+
+
+
+  void
   Observers::observe_history(ParticleStage &stage)
   {
     history_times.pass(stage.clock.time);
     last_history_step = stage.clock.step;
 
-    summary.clock       = stage.clock;
-    summary.totals      = ParticleTotals(stage, elasticity);
-    summary.peak_memory = Utilities::MPI::sum(peak_memory(), communicator);
-    const double critical_time_step = stage.critical_time_step();
+    const ParticleTotals totals(stage, material.elasticity());
+    const double         critical_time_step = stage.critical_time_step();
     do_and_share_errors(communicator, [&]() {
-      history.observe(stage.clock, critical_time_step, summary.totals);
+      history.observe(stage.clock, critical_time_step, totals);
     });
-    summary.flow_rate_plateau = history.flow_rate_plateau();
+    update_summary(stage.clock, totals);
   }
 
 
@@ -144,16 +193,16 @@ namespace Sandglass
     last_field_step = stage.clock.step;
 
     const double time = stage.clock.time;
-    if (particles)
+    if (parameters.writes_particles)
       {
         const VtuPiece piece = particle_fields(stage);
         do_and_share_errors(communicator,
-                            [&]() { particles->write(time, piece); });
+                            [&]() { particles.write(time, piece); });
       }
-    if (grid)
+    if (parameters.writes_grid)
       {
         const VtuPiece piece = grid_fields(stage);
-        do_and_share_errors(communicator, [&]() { grid->write(time, piece); });
+        do_and_share_errors(communicator, [&]() { grid.write(time, piece); });
       }
   }
 
@@ -163,9 +212,33 @@ namespace Sandglass
   Observers::observe_walls(const Clock                  &clock,
                            const std::vector<WallForce> &forces)
   {
-    const auto tractions = wall_tractions->collect(forces);
+    if (!parameters.writes_walls)
+      return;
+    const auto tractions = wall_tractions.collect(forces);
+    do_and_share_errors(communicator,
+                        [&]() { wall_tractions.write(clock.time, tractions); });
+  }
+
+
+
+  void
+  Observers::observe_checkpoint(ParticleStage &stage)
+  {
+    checkpoint_times.pass(stage.clock.time);
+    Checkpoint checkpoint = take_checkpoint(stage);
     do_and_share_errors(communicator, [&]() {
-      wall_tractions->write(clock.time, tractions);
+      if (!is_writer)
+        return;
+      std::ostringstream state;
+      {
+        boost::archive::binary_oarchive archive(state);
+        archive << std::as_const(*this);
+      }
+      checkpoint.observers = state.str();
+      write_checkpoint(
+        parameters.directory,
+        checkpoint_settings(scene, material, walls, stage.parameters),
+        checkpoint);
     });
   }
 

@@ -105,8 +105,10 @@ namespace Sandglass
   void
   WallTractions::open()
   {
-    if (is_writer)
-      table.open();
+    if (!is_writer)
+      return;
+    table.open();
+    series.open();
   }
 
 

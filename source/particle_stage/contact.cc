@@ -224,4 +224,34 @@ namespace Sandglass
       dofs.push_back(node.boundary.dof);
     return dofs;
   }
+
+
+
+  Contact::Sums
+  Contact::sums() const
+  {
+    Sums sums{dissipation, summed_time, {}};
+    for (const auto &node : nodes)
+      sums.impulses.push_back({{node.impulse[0].normal_force,
+                                node.impulse[0].tangential_force,
+                                node.impulse[1].normal_force,
+                                node.impulse[1].tangential_force}});
+    return sums;
+  }
+
+
+
+  void
+  Contact::set_sums(const Sums &sums)
+  {
+    AssertDimension(sums.impulses.size(), nodes.size());
+    dissipation = sums.dissipation;
+    summed_time = sums.time;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (const unsigned int s : {0u, 1u})
+        {
+          nodes[n].impulse[s].normal_force     = sums.impulses[n][2 * s];
+          nodes[n].impulse[s].tangential_force = sums.impulses[n][2 * s + 1];
+        }
+  }
 } // namespace Sandglass

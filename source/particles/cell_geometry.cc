@@ -47,9 +47,8 @@ namespace Sandglass
     const unsigned int longest_walk = 100 + cells.size() / 10;
     for (unsigned int step = 0; step < longest_walk; ++step)
       {
-        const CellData  &data            = cells[cell];
-        const Point<dim> reference_point = data.shape.to_reference(point);
-        const auto distances = Shape::face_distances(reference_point);
+        const CellData &data      = cells[cell];
+        const auto      distances = data.shape.walk_distances(point);
 
         // Boundary faces only stop the walk when no inner face is passed: a
         // point around the corner of the outlet lies beyond both.
@@ -70,13 +69,13 @@ namespace Sandglass
         else if (boundary_face != Shape::n_faces)
           return {Location::Kind::outside,
                   cell,
-                  reference_point,
+                  data.shape.to_reference(point),
                   boundary_face,
                   static_cast<BoundaryRole>(-data.neighbors[boundary_face])};
         else
           return {Location::Kind::inside,
                   cell,
-                  reference_point,
+                  data.shape.to_reference(point),
                   0,
                   BoundaryRole::top};
       }
@@ -95,8 +94,7 @@ namespace Sandglass
     double largest = std::numeric_limits<double>::lowest();
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       {
-        const Point<dim> reference_point = cells[cell].shape.to_reference(point);
-        const auto distances = Shape::face_distances(reference_point);
+        const auto distances = cells[cell].shape.walk_distances(point);
         const auto worst = std::min_element(distances.begin(), distances.end());
         if (*worst <= largest)
           continue;
@@ -107,7 +105,7 @@ namespace Sandglass
         nearest = {*worst >= -tolerance ? Location::Kind::inside :
                                           Location::Kind::outside,
                    cell,
-                   reference_point,
+                   cells[cell].shape.to_reference(point),
                    face,
                    neighbor < 0 ? static_cast<BoundaryRole>(-neighbor) :
                                   BoundaryRole::top};

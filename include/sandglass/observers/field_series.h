@@ -28,6 +28,10 @@ namespace Sandglass
                 const std::string &name,
                 const MPI_Comm     communicator);
 
+    /// After deserialization: list what the archive knew of, and no more.
+    void
+    open() const;
+
     /// Write this rank's piece; all ranks must, without waiting for each other.
     void
     write(const double time, const VtuPiece &piece);

@@ -1,14 +1,13 @@
 #ifndef sandglass_observers_observers_h
 #define sandglass_observers_observers_h
 
+#include <sandglass/observers/checkpoint.h>
 #include <sandglass/observers/history.h>
 #include <sandglass/observers/progress.h>
 #include <sandglass/observers/schedule.h>
 #include <sandglass/observers/summary.h>
 #include <sandglass/observers/timing.h>
 #include <sandglass/observers/wall_tractions.h>
-
-#include <optional>
 
 namespace Sandglass
 {
@@ -42,6 +41,13 @@ namespace Sandglass
     start(ParticleStage                &stage,
           const std::vector<WallForce> *static_wall_forces);
 
+    /**
+     * Instead of start(): put the stage into the state of a checkpoint, and go
+     * on behind what had been written until then. Collective.
+     */
+    void
+    resume(ParticleStage &stage, const Checkpoint &checkpoint);
+
     /// Write what is due. Ranks wait for each other only if something is.
     void
     after_step(ParticleStage &stage);
@@ -54,7 +60,22 @@ namespace Sandglass
     void
     finish_after_failure(const std::string &message);
 
+    /// What resume() needs to know.
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &last_history_step &last_field_step &summary.n_particles &summary
+        .initial_mass &history &particles &grid &wall_tractions;
+    }
+
   private:
+    /// Open all tables and time series. Collective.
+    void
+    open_files();
+    /// Collective.
+    void
+    update_summary(const Clock &clock, const ParticleTotals &totals);
     void
     observe_history(ParticleStage &stage);
     void
@@ -62,24 +83,28 @@ namespace Sandglass
     void
     observe_walls(const Clock &clock, const std::vector<WallForce> &forces);
     void
+    observe_checkpoint(ParticleStage &stage);
+    void
     write_summary(const std::string &status) const;
 
-    const OutputParameters &parameters;
-    const MPI_Comm          communicator;
-    const bool              is_writer;
-    const Elasticity        elasticity;
-    Log                    &log;
-    TimerOutput            &timings;
+    const OutputParameters   &parameters;
+    const Scene              &scene;
+    const MaterialParameters &material;
+    const WallParameters     &walls;
+    const MPI_Comm            communicator;
+    const bool                is_writer;
+    Log                      &log;
+    TimerOutput              &timings;
 
-    Schedule history_times, field_times;
+    Schedule history_times, field_times, checkpoint_times;
     /// Step of the last output, so that the end is not written twice.
     unsigned long last_history_step = 0, last_field_step = 0;
 
-    Summary                      summary;
-    Progress                     progress;
-    History                      history;
-    std::optional<FieldSeries>   particles, grid;
-    std::optional<WallTractions> wall_tractions;
+    Summary       summary;
+    Progress      progress;
+    History       history;
+    FieldSeries   particles, grid;
+    WallTractions wall_tractions;
   };
 } // namespace Sandglass
 

@@ -70,6 +70,22 @@ namespace Sandglass
     std::vector<types::global_dof_index>
     node_dofs() const;
 
+    /// What has been summed up over time, for checkpoints.
+    struct Sums
+    {
+      double dissipation; ///< since the start, in J
+      double time;        ///< since take_mean_forces(), in s
+      /// Normal and tangential impulse of each of a node's two supports since
+      /// take_mean_forces(), in N s; see node_dofs().
+      std::vector<std::array<double, 4>> impulses;
+    };
+
+    Sums
+    sums() const;
+
+    void
+    set_sums(const Sums &sums);
+
   private:
     struct Node
     {

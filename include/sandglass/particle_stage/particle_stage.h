@@ -74,6 +74,9 @@ namespace Sandglass
     Contact                        contact;
     Clock                          clock;
 
+    /// The automatic step without the cut at the end, in s; 0: not known yet.
+    double automatic_time_step = 0.;
+
     /// Plastic work since the start on this rank, in J.
     double plastic_dissipation = 0.;
 
@@ -103,9 +106,6 @@ namespace Sandglass
     /// As critical_time_step(), with the nodal sums of this step at hand.
     virtual double
     find_critical_time_step() = 0;
-
-    /// The automatic step without the cut at the end, in s.
-    double automatic_time_step = 0.;
 
     /// In m/s.
     double speed_limit;

@@ -26,7 +26,9 @@ namespace Sandglass
    * - node(i): position of node i in m;
    * - jacobian(reference_point): area per reference area, in m^2;
    * - face_distances(reference_point): for each face a number that is negative
-   *   beyond it and grows inwards, 0 on it, of the order of 1 across the cell.
+   *   beyond it and grows inwards, 0 on it, of the order of 1 across the cell;
+   * - walk_distances(point): the same for any point of the plane, also where a
+   *   quadrilateral's reference coordinates don't exist.
    */
   template <CellType cell_type>
   class CellShape;
@@ -108,6 +110,12 @@ namespace Sandglass
       return {{reference_point[1],
                1. - reference_point[0] - reference_point[1],
                reference_point[0]}};
+    }
+
+    std::array<double, n_faces>
+    walk_distances(const Point<dim> &point) const
+    {
+      return face_distances(to_reference(point));
     }
 
     /// The nearest reference point whose face distances are at least `margin`.
@@ -227,6 +235,23 @@ namespace Sandglass
     {
       const double x = reference_point[0], y = reference_point[1];
       return {{x, 1. - x, y, 1. - y}};
+    }
+
+    std::array<double, n_faces>
+    walk_distances(const Point<dim> &point) const
+    {
+      // The cell lies to the right of faces 0 and 3, to the left of 1 and 2.
+      constexpr double            side[n_faces] = {-1., 1., 1., -1.};
+      std::array<double, n_faces> distances;
+      for (unsigned int face = 0; face < n_faces; ++face)
+        {
+          const Point<dim>     start = node(face_nodes[face][0]);
+          const Tensor<1, dim> edge  = node(face_nodes[face][1]) - start;
+          const Tensor<1, dim> way   = point - start;
+          distances[face] = side[face] * (edge[0] * way[1] - edge[1] * way[0]) /
+                            edge.norm_square();
+        }
+      return distances;
     }
 
     static Point<dim>

@@ -1,0 +1,1 @@
+-s Density=5

@@ -1,0 +1,1 @@
+-s Material/Density=0

@@ -1,0 +1,1 @@
+-o a-file/output

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include "stage_fixture.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  /// Critical step, times wave speed over element size, of a strip of squares
+  /// one cell wide, with free ends.
+  double
+  relative_critical_step(const unsigned int particles_per_cell,
+                         const Formulation  formulation)
+  {
+    constexpr double h = 0.1;
+    StageFixture     fixture;
+    fixture.material.poisson_ratio = 0.;
+    fixture.particles_per_cell     = particles_per_cell;
+    fixture.formulation            = formulation;
+    Rectangle rectangle;
+    rectangle.cell_type = CellType::quadrilateral;
+    // Far from the axis a ring is a strip.
+    const double x  = formulation == Formulation::axisymmetric ? 1e4 : 0.;
+    rectangle.lower = Point<2>(x, 0.);
+    rectangle.upper = Point<2>(x + h, 40 * h);
+    rectangle.n_x   = 1;
+    rectangle.n_y   = 40;
+    auto &stage     = fixture.start(rectangle.mesh());
+    double step     = 0.;
+    for (unsigned int i = 0; i < 200; ++i)
+      step = stage.critical_time_step();
+    return step *
+           fixture.material.elasticity().wave_speed(fixture.material.density) /
+           h;
+  }
+} // namespace
+
+// On an infinite strip with particles at the cells' centres the eigenvalue of
+// the wave number k is (C / h)^2 sin^2(k h), so that the critical step is 2 h/C.
+// With two particles in a row, at the quarter points, it is
+// (C / h)^2 (1 - cos k h) (5 + 3 cos k h) / 4, at most 4/3 (C / h)^2.
+
+TEST(CriticalTimeStep, OfOneParticleInACell)
+{
+  const double step = relative_critical_step(1, Formulation::plane_strain);
+  EXPECT_NEAR(step, 2., 0.01);
+  EXPECT_NEAR(relative_critical_step(1, Formulation::axisymmetric), step, 1e-3);
+}
+
+TEST(CriticalTimeStep, OfParticlesAtTheQuarterPoints)
+{
+  const double step = relative_critical_step(4, Formulation::plane_strain);
+  EXPECT_NEAR(step, std::sqrt(3.), 0.01);
+  EXPECT_NEAR(relative_critical_step(4, Formulation::axisymmetric), step, 1e-3);
+}
+
+TEST(CriticalTimeStep, GrowsWithTheInverseRootOfTheStiffness)
+{
+  const auto step = [](const double young_modulus) {
+    StageFixture fixture;
+    fixture.material.young_modulus = young_modulus;
+    return fixture.start(Rectangle().mesh()).critical_time_step();
+  };
+  EXPECT_NEAR(step(1e6) / step(4e6), 2., 1e-8);
+}
