@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "output_silo.h"
+#include "unit/output_silo.h"
 
 using namespace Sandglass;
 
@@ -67,8 +67,7 @@ namespace
     SmallSilo silo;
     SmallRun  run(silo);
     give_state(*run.stage);
-    const std::string filename =
-      testing::TempDir() + SmallSilo::test_name() + ".vtu";
+    const std::string filename = SmallSilo::unique_path() + ".vtu";
     write_vtu(filename, particle_fields(*run.stage));
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
@@ -132,8 +131,7 @@ namespace
     silo.scene.cell_type = cell_type;
     SmallRun run(silo);
     run.stage->step();
-    const std::string filename =
-      testing::TempDir() + SmallSilo::test_name() + ".vtu";
+    const std::string filename = SmallSilo::unique_path() + ".vtu";
     write_vtu(filename, grid_fields(*run.stage));
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
@@ -196,7 +194,7 @@ namespace
 
   TEST(FieldSeries, pvd_lists_all_times)
   {
-    const std::string directory = testing::TempDir() + SmallSilo::test_name();
+    const std::string directory = SmallSilo::unique_path();
     std::filesystem::create_directories(directory + "/vtu");
     FieldSeries series(directory, "dots", MPI_COMM_SELF);
     VtuPiece    piece;

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 
-#include "output_silo.h"
+#include "unit/output_silo.h"
 
 using namespace Sandglass;
 
@@ -33,8 +33,7 @@ namespace
     {
       std::filesystem::remove(name);
     }
-    const std::string name =
-      testing::TempDir() + "sandglass_" + SmallSilo::test_name();
+    const std::string name = SmallSilo::unique_path();
   };
 
 

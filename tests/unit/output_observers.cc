@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "output_silo.h"
+#include "unit/output_silo.h"
 
 using namespace Sandglass;
 
@@ -130,7 +130,7 @@ namespace
     auto     forces = run.stage->contact.take_mean_forces();
     for (auto &force : forces)
       force.normal_force = 500. * force.tributary_area;
-    run.run(&forces);
+    run.run(1e300, &forces);
 
     const auto walls = read_lines(silo.output.directory + "/wall_traction.csv");
     ASSERT_EQ(walls.size(), 1 + 12);
@@ -181,22 +181,11 @@ namespace
 
   TEST(Observers, failure_keeps_results)
   {
-    SmallSilo   silo;
-    SmallRun    run(silo);
-    Log         log(MPI_COMM_SELF, true);
-    TimerOutput timings(log.stream(),
-                        TimerOutput::never,
-                        TimerOutput::wall_times);
-    prepare_output_directory(silo.output, false, MPI_COMM_SELF, log);
-    Observers observers(silo.output,
-                        run.scene,
-                        silo.material,
-                        silo.walls,
-                        silo.stage.end_time,
-                        log,
-                        timings);
-    observers.start(*run.stage, nullptr);
-    observers.finish_after_failure("Step 7: a particle \"flew\" away");
+    SmallSilo silo;
+    SmallRun  run(silo);
+    prepare_output_directory(silo.output, false, MPI_COMM_SELF, run.log);
+    run.observers.start(*run.stage, nullptr);
+    run.observers.finish_after_failure("Step 7: a particle \"flew\" away");
 
     const auto summary = read_json(silo.output.directory + "/summary.json");
     EXPECT_EQ(summary.get<std::string>("status"), "failed");

@@ -17,10 +17,16 @@
 
 namespace Sandglass
 {
-  /// Parameters of a small plane silo, for the tests to change.
+  /**
+   * Parameters of a small plane silo, for the tests to change. The output
+   * directory is the same on the ranks of the communicator, and goes in the
+   * end.
+   */
   struct SmallSilo
   {
-    SmallSilo()
+    explicit SmallSilo(const MPI_Comm     communicator = MPI_COMM_SELF,
+                       const std::string &name         = "")
+      : communicator(communicator)
     {
       scene.half_width         = 0.4;
       scene.wall_height        = 0.8;
@@ -29,22 +35,23 @@ namespace Sandglass
       scene.element_size       = 0.1;
       stage.time_step_text     = "5e-4";
       output.progress_interval = 0.;
-      output.directory = testing::TempDir() + "sandglass_output_" + test_name();
-      std::filesystem::remove_all(output.directory);
+      output.directory =
+        Utilities::MPI::broadcast(communicator, unique_path() + name);
+      remove_directory();
     }
 
     ~SmallSilo()
     {
-      std::error_code ignored;
-      std::filesystem::remove_all(output.directory, ignored);
+      remove_directory();
     }
 
+    /// A path that no other test uses at the same time.
     static std::string
-    test_name()
+    unique_path()
     {
       const auto *test = testing::UnitTest::GetInstance()->current_test_info();
-      return std::string(test->test_suite_name()) + '_' + test->name() + '_' +
-             std::to_string(getpid());
+      return testing::TempDir() + "sandglass_" + test->test_suite_name() + '_' +
+             test->name() + '_' + std::to_string(getpid());
     }
 
     SceneParameters         scene;
@@ -52,43 +59,77 @@ namespace Sandglass
     WallParameters          walls;
     ParticleStageParameters stage;
     OutputParameters        output;
+    const MPI_Comm          communicator;
+
+  private:
+    void
+    remove_directory() const
+    {
+      std::error_code ignored;
+      MPI_Barrier(communicator);
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        std::filesystem::remove_all(output.directory, ignored);
+      MPI_Barrier(communicator);
+    }
   };
 
 
 
-  /// The scene and the particles of a small silo.
+  /// The scene and the particles of a small silo, and what observes them.
   struct SmallRun
   {
     explicit SmallRun(SmallSilo &silo)
       : silo(silo)
-      , scene(make_mesh(silo.scene, MPI_COMM_SELF),
+      , scene(make_mesh(silo.scene, silo.communicator),
               silo.scene.formulation,
               silo.scene.particles_per_cell,
               silo.scene.gravity,
-              MPI_COMM_SELF)
+              silo.communicator)
+      , log(silo.communicator, true)
+      , timings(log.stream(), TimerOutput::never, TimerOutput::wall_times)
+      , observers(silo.output,
+                  scene,
+                  silo.material,
+                  silo.walls,
+                  silo.stage.end_time,
+                  log,
+                  timings)
     {
       silo.stage.check();
       stage = make_particle_stage(scene, silo.material, silo.walls, silo.stage);
     }
 
-    /// Run to the end time, observed.
+    /// Run from the start to `end_time`, or if that is less, to the end.
     void
-    run(const std::vector<WallForce> *static_wall_forces = nullptr)
+    run(const double                  end_time           = 1e300,
+        const std::vector<WallForce> *static_wall_forces = nullptr)
     {
-      Log         log(MPI_COMM_SELF, true);
-      TimerOutput timings(log.stream(),
-                          TimerOutput::never,
-                          TimerOutput::wall_times);
-      prepare_output_directory(silo.output, false, MPI_COMM_SELF, log);
-      Observers observers(silo.output,
-                          scene,
-                          silo.material,
-                          silo.walls,
-                          silo.stage.end_time,
-                          log,
-                          timings);
+      prepare_output_directory(silo.output, false, silo.communicator, log);
       observers.start(*stage, static_wall_forces);
-      while (!stage->is_finished())
+      go_on(end_time);
+    }
+
+    /// Go on from the checkpoint in the output directory to the end.
+    void
+    resume()
+    {
+      const Checkpoint checkpoint =
+        read_checkpoint(silo.output.directory, settings());
+      prepare_output_directory(silo.output, true, silo.communicator, log);
+      observers.resume(*stage, checkpoint);
+      go_on(1e300);
+    }
+
+    std::vector<Checkpoint::Setting>
+    settings() const
+    {
+      return checkpoint_settings(scene, silo.material, silo.walls, silo.stage);
+    }
+
+    void
+    go_on(const double end_time)
+    {
+      while (!stage->is_finished() && stage->clock.time < end_time)
         {
           {
             TimerOutput::Scope scope(timings, Timing::particle_loop);
@@ -96,11 +137,15 @@ namespace Sandglass
           }
           observers.after_step(*stage);
         }
-      observers.finish(*stage);
+      if (stage->is_finished())
+        observers.finish(*stage);
     }
 
     SmallSilo                     &silo;
     const Scene                    scene;
+    Log                            log;
+    TimerOutput                    timings;
+    Observers                      observers;
     std::unique_ptr<ParticleStage> stage;
   };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "output_silo.h"
+#include "unit/output_silo.h"
 
 using namespace Sandglass;
 

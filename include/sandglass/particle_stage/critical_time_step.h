@@ -22,9 +22,9 @@ namespace Sandglass
    * make lambda grow without bound, as it does without the velocity map.
    *
    * Power iteration finds lambda, with the Rayleigh quotient
-   * (f^T G f) / (u^T f), which is never above it. The iteration goes on from
-   * the last eigenvector, since particles move little between two calls, with a
-   * little of everything else mixed in: the stiffest spot may be elsewhere now.
+   * (f^T G f) / (u^T f), which is never above it. It starts afresh from the same
+   * random vector each time: the stiffest spot moves, and a restarted run has
+   * to find the same step.
    *
    * Particles less dense than `stiff_share` of the unstressed material are
    * separated and carry no stress; they don't count.
@@ -67,7 +67,7 @@ namespace Sandglass
             const NodalField<NodalSum::n_components> &sums,
             const unsigned int                        n_iterations)
     {
-      mix_in_random_direction();
+      direction         = random_direction;
       double eigenvalue = 0.;
       for (unsigned int i = 0; i < n_iterations; ++i)
         eigenvalue = iterate(cloud, geometry, sums);
@@ -75,26 +75,6 @@ namespace Sandglass
     }
 
   private:
-    /// Add random numbers of a tenth of the direction's root mean square.
-    void
-    mix_in_random_direction()
-    {
-      const unsigned int n_owned = scene.nodes->locally_owned_size();
-      double             square  = 0.;
-      for (unsigned int node = 0; node < n_owned; ++node)
-        for (unsigned int d = 0; d < dim; ++d)
-          square += direction.at(node)[d] * direction.at(node)[d];
-      const double mean_square =
-        Utilities::MPI::sum(square, scene.communicator) /
-        (dim * scene.nodes->size());
-      // At the first call the direction is still zero.
-      const double share = mean_square > 0. ? 0.1 * std::sqrt(mean_square) : 1.;
-      for (unsigned int node = 0; node < n_owned; ++node)
-        for (unsigned int d = 0; d < dim; ++d)
-          direction.at(node)[d] += share * random_direction.at(node)[d];
-      direction.update_ghosts();
-    }
-
     /// One power iteration; returns the Rayleigh quotient in 1/s^2.
     double
     iterate(ParticleCloud                            &cloud,

@@ -1,0 +1,138 @@
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+
+#include <cmath>
+
+#include "unit/output_silo.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  void
+  make_short(SmallSilo &silo)
+  {
+    silo.stage.end_time             = 0.12;
+    silo.output.interval            = 0.05;
+    silo.output.checkpoint_interval = 0.06;
+  }
+
+
+
+  /// Whether two tables agree but for rounding. Empty fields don't occur.
+  void
+  expect_same_table(const std::string &a, const std::string &b)
+  {
+    const auto lines_a = read_lines(a), lines_b = read_lines(b);
+    ASSERT_EQ(lines_a.size(), lines_b.size()) << a;
+    EXPECT_EQ(lines_a[0], lines_b[0]);
+    std::vector<double> scale(read_numbers(lines_a[0]).size(), 1e-9);
+    for (const auto &line : lines_a)
+      for (unsigned int i = 0; i < scale.size(); ++i)
+        scale[i] = std::fmax(scale[i], std::abs(read_numbers(line)[i]));
+    for (unsigned int row = 1; row < lines_a.size(); ++row)
+      for (unsigned int i = 0; i < scale.size(); ++i)
+        {
+          const double value_a = read_numbers(lines_a[row])[i];
+          const double value_b = read_numbers(lines_b[row])[i];
+          if (!std::isnan(value_a) || !std::isnan(value_b))
+            EXPECT_NEAR(value_a, value_b, 1e-9 * scale[i])
+              << a << " row " << row << " column " << i;
+        }
+  }
+
+
+
+  /// Compare the tables in two output directories on rank 0.
+  void
+  expect_same_tables(const SmallSilo &a, const SmallSilo &b)
+  {
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      for (const std::string name :
+           {"/history.csv", "/flow_rate.csv", "/wall_traction.csv"})
+        expect_same_table(a.output.directory + name, b.output.directory + name);
+  }
+
+
+
+  TEST(OutputOnRanks, same_tables_as_on_one)
+  {
+    SmallSilo alone(MPI_COMM_SELF, "_alone"), together(MPI_COMM_WORLD);
+    make_short(alone);
+    make_short(together);
+    SmallRun(alone).run();
+    SmallRun(together).run();
+    expect_same_tables(alone, together);
+  }
+
+
+
+  TEST(OutputOnRanks, pieces_make_a_whole)
+  {
+    SmallSilo silo(MPI_COMM_WORLD);
+    silo.stage.end_time = 0.;
+    SmallRun(silo).run();
+    const std::string filename =
+      silo.output.directory + "/vtu/particles_00000.pvtu";
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0 &&
+        Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+      {
+        vtkNew<vtkXMLPUnstructuredGridReader> reader;
+        reader->SetFileName(filename.c_str());
+        reader->Update();
+        auto  *fields = reader->GetOutput()->GetPointData();
+        double mass   = 0.;
+        for (int i = 0; i < reader->GetOutput()->GetNumberOfPoints(); ++i)
+          mass += fields->GetArray("mass")->GetTuple1(i);
+        EXPECT_NEAR(mass, 480., 1e-9);
+        EXPECT_STREQ(fields->GetArray("stress")->GetComponentName(3), "XY");
+        EXPECT_EQ(fields->GetArray("layer")->GetRange()[1], 16.);
+      }
+  }
+
+
+
+  TEST(OutputOnRanks, checkpoint_of_one_goes_on_on_several)
+  {
+    SmallSilo alone(MPI_COMM_SELF, "_alone"), together(MPI_COMM_WORLD);
+    make_short(alone);
+    make_short(together);
+    SmallRun(together).run(0.1);
+    {
+      SmallRun first_part(alone);
+      first_part.run(0.1);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    // The file of one rank, in the place of that of all.
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::filesystem::copy(alone.output.directory,
+                            together.output.directory,
+                            std::filesystem::copy_options::overwrite_existing);
+    MPI_Barrier(MPI_COMM_WORLD);
+    SmallRun(together).resume();
+    SmallRun(alone).resume();
+    expect_same_tables(alone, together);
+  }
+
+
+
+  TEST(OutputOnRanks, checkpoint_of_several_goes_on_on_one)
+  {
+    SmallSilo alone(MPI_COMM_SELF, "_alone"), together(MPI_COMM_WORLD);
+    make_short(alone);
+    make_short(together);
+    SmallRun(alone).run(0.1);
+    SmallRun(together).run(0.1);
+    MPI_Barrier(MPI_COMM_WORLD);
+    std::filesystem::copy(together.output.directory,
+                          alone.output.directory,
+                          std::filesystem::copy_options::overwrite_existing);
+    MPI_Barrier(MPI_COMM_WORLD);
+    SmallRun(together).resume();
+    SmallRun(alone).resume();
+    expect_same_tables(alone, together);
+  }
+} // namespace

@@ -1,0 +1,176 @@
+#include <sandglass/base/exceptions.h>
+
+#include "unit/output_silo.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  /// Observed often, so that averages run when the checkpoint is written.
+  void
+  observe_often(SmallSilo &silo)
+  {
+    silo.stage.end_time             = 0.3;
+    silo.stage.time_step_text       = "auto";
+    silo.output.interval            = 0.04;
+    silo.output.checkpoint_interval = 0.15;
+  }
+
+
+
+  /// All numbers of all particles, in the order of the cells.
+  std::vector<double>
+  state_of_particles(ParticleStage &stage)
+  {
+    std::vector<double> numbers;
+    for (const auto &parcel : take_checkpoint(stage).particles)
+      {
+        numbers.insert(numbers.end(),
+                       {double(parcel.cell),
+                        double(parcel.id),
+                        parcel.location[0],
+                        parcel.location[1],
+                        parcel.reference_point[0],
+                        parcel.reference_point[1]});
+        numbers.insert(numbers.end(),
+                       parcel.properties.begin(),
+                       parcel.properties.end());
+      }
+    return numbers;
+  }
+
+
+
+  TEST(Checkpoint, resumed_run_is_the_same_bit_by_bit)
+  {
+    SmallSilo whole_silo;
+    observe_often(whole_silo);
+    SmallRun whole(whole_silo);
+    whole.run();
+
+    SmallSilo silo(MPI_COMM_SELF, "_parts");
+    observe_often(silo);
+    {
+      SmallRun first_part(silo);
+      first_part.run(0.22);
+      ASSERT_FALSE(first_part.stage->is_finished());
+    }
+    SmallRun second_part(silo);
+    second_part.resume();
+
+    EXPECT_EQ(second_part.stage->clock.step, whole.stage->clock.step);
+    EXPECT_EQ(state_of_particles(*second_part.stage),
+              state_of_particles(*whole.stage));
+    for (const std::string name : {"history.csv",
+                                   "flow_rate.csv",
+                                   "wall_traction.csv",
+                                   "particles.pvd",
+                                   "grid.pvd",
+                                   "walls.pvd"})
+      EXPECT_EQ(read_text(silo.output.directory + '/' + name),
+                read_text(whole_silo.output.directory + '/' + name))
+        << name;
+    // Some was discharged before, and some after the checkpoint.
+    EXPECT_GT(second_part.stage->removed_mass().discharged, 0.);
+  }
+
+
+
+  TEST(Checkpoint, forgets_what_was_written_after_it)
+  {
+    SmallSilo silo;
+    observe_often(silo);
+    SmallRun(silo).run(0.22);
+    const std::string history = silo.output.directory + "/history.csv";
+    const auto        n_rows  = read_lines(history).size();
+
+    SmallRun         run(silo);
+    const Checkpoint checkpoint =
+      read_checkpoint(silo.output.directory, run.settings());
+    run.observers.resume(*run.stage, checkpoint);
+    const auto rows = read_lines(history);
+    EXPECT_LT(rows.size(), n_rows);
+    EXPECT_EQ(read_numbers(rows.back())[0], checkpoint.clock.time);
+  }
+
+
+
+  TEST(Checkpoint, goes_on_beyond_the_former_end)
+  {
+    SmallSilo silo;
+    observe_often(silo);
+    silo.stage.end_time = 0.1;
+    SmallRun(silo).run();
+    silo.stage.end_time = 0.12;
+    SmallRun run(silo);
+    run.resume();
+    EXPECT_NEAR(run.stage->clock.time, 0.12, 1e-12);
+    const auto rows = read_lines(silo.output.directory + "/history.csv");
+    EXPECT_EQ(rows.size(), 1 + 13);
+  }
+
+
+
+  /// The message with which the checkpoint of `silo` is refused after `change`.
+  template <typename Change>
+  std::string
+  refusal_after(const Change &change)
+  {
+    SmallSilo silo;
+    silo.stage.end_time             = 0.002;
+    silo.output.checkpoint_interval = 1.;
+    SmallRun(silo).run();
+    change(silo);
+    try
+      {
+        SmallRun(silo).resume();
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+
+
+  TEST(Checkpoint, refuses_another_material)
+  {
+    const std::string message =
+      refusal_after([](SmallSilo &silo) { silo.material.young_modulus = 2e6; });
+    EXPECT_NE(message.find(
+                "Material/Young modulus = 1e+06, and now it is 2e+06"),
+              std::string::npos)
+      << message;
+  }
+
+
+
+  TEST(Checkpoint, refuses_another_mesh)
+  {
+    const std::string message =
+      refusal_after([](SmallSilo &silo) { silo.scene.element_size = 0.05; });
+    EXPECT_NE(message.find("Scene/mesh = "), std::string::npos) << message;
+  }
+
+
+
+  TEST(Checkpoint, refuses_a_broken_file)
+  {
+    const std::string message = refusal_after([](SmallSilo &silo) {
+      std::filesystem::resize_file(checkpoint_file(silo.output.directory),
+                                   5000);
+    });
+    EXPECT_NE(message.find("can't be read"), std::string::npos) << message;
+  }
+
+
+
+  TEST(Checkpoint, refuses_a_directory_without)
+  {
+    const std::string message = refusal_after([](SmallSilo &silo) {
+      std::filesystem::remove(checkpoint_file(silo.output.directory));
+    });
+    EXPECT_NE(message.find("there is no '"), std::string::npos) << message;
+  }
+} // namespace
