@@ -33,6 +33,15 @@ sandglass_require(Boost_FOUND "Boost.Program_options" libboost-program-options-d
 find_package(Boost 1.71 QUIET COMPONENTS program_options serialization)
 sandglass_require(Boost_FOUND "Boost.Serialization" libboost-serialization-dev)
 
+if(SANDGLASS_BUILD_FIGURES)
+  # Before VTK is looked for again below, so that VTK_LIBRARIES, with which
+  # sandglass is linked, doesn't hold these.
+  find_package(VTK 9 QUIET COMPONENTS
+    ImagingCore IOImage IOXML IOXMLParser RenderingCore RenderingFreeType)
+  sandglass_require(VTK_FOUND
+    "VTK 9 with the modules ImagingCore, IOImage, IOXML, IOXMLParser, RenderingCore and RenderingFreeType (or -DSANDGLASS_BUILD_FIGURES=OFF)"
+    libvtk9-dev)
+endif()
 find_package(VTK 9 QUIET COMPONENTS CommonCore CommonDataModel IOXML)
 sandglass_require(VTK_FOUND
   "VTK 9 with the modules CommonCore, CommonDataModel and IOXML" libvtk9-dev)

@@ -33,10 +33,10 @@ namespace Figures
 
 
   void
-  Canvas::draw_line(const std::array<double, 2> &begin,
-                    const std::array<double, 2> &end,
-                    const double                 thickness,
-                    const Color                 &color)
+  Canvas::draw_line(const Point &begin,
+                    const Point &end,
+                    const double thickness,
+                    const Color &color)
   {
     const double radius = fineness * thickness / 2.;
     const double x = fineness * begin[0], y = fineness * begin[1];
@@ -71,13 +71,14 @@ namespace Figures
 
 
   void
-  Canvas::draw_text(const std::string           &text,
-                    const std::array<double, 2> &position,
-                    const int                    size,
-                    const bool                   is_centered)
+  Canvas::draw_text(const std::string &text,
+                    const Point       &position,
+                    const int          size,
+                    const bool         is_centered)
   {
     vtkNew<vtkTextProperty> style;
     style->SetFontSize(fineness * size);
+    style->SetFontFamilyToTimes();
     style->SetColor(.15, .15, .15);
 
     // Colour and opacity; the image may be larger than the text.
@@ -87,9 +88,9 @@ namespace Figures
     vtkTextRenderer::GetInstance()->RenderString(
       style, text, letters, extent.data(), points_per_inch);
 
-    const int left = std::lround(fineness * position[0]) -
-                     (is_centered ? extent[0] / 2 : 0);
-    const int bottom = std::lround(fineness * position[1]) - extent[1] / 2;
+    const int left =
+      std::lround(fineness * position[0]) - (is_centered ? extent[0] / 2 : 0);
+    const int  bottom     = std::lround(fineness * position[1]) - extent[1] / 2;
     const int *image_size = image->GetDimensions();
     for (int j = 0; j < extent[1]; ++j)
       for (int i = 0; i < extent[0]; ++i)
@@ -97,8 +98,8 @@ namespace Figures
           if (left + i < 0 || left + i >= image_size[0] || bottom + j < 0 ||
               bottom + j >= image_size[1])
             continue;
-          const auto *source = static_cast<unsigned char *>(
-            letters->GetScalarPointer(i, j, 0));
+          const auto *source =
+            static_cast<unsigned char *>(letters->GetScalarPointer(i, j, 0));
           auto *target = static_cast<unsigned char *>(
             image->GetScalarPointer(left + i, bottom + j, 0));
           for (unsigned int c = 0; c < 3; ++c)

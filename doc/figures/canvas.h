@@ -20,21 +20,23 @@ namespace Figures
   class Canvas
   {
   public:
+    using Point = std::array<double, 2>;
+
     Canvas(const double width, const double height);
 
     /// A line with round ends; a disc if it has no length.
     void
-    draw_line(const std::array<double, 2> &begin,
-              const std::array<double, 2> &end,
-              const double                 thickness,
-              const Color                 &color);
+    draw_line(const Point &begin,
+              const Point &end,
+              const double thickness,
+              const Color &color);
 
     /// Text around a point, or to the right of it.
     void
-    draw_text(const std::string           &text,
-              const std::array<double, 2> &position,
-              const int                    size,
-              const bool                   is_centered);
+    draw_text(const std::string &text,
+              const Point       &position,
+              const int          size,
+              const bool         is_centered);
 
     /// Write the picture as PNG. Throws std::runtime_error.
     void

@@ -30,7 +30,7 @@ namespace Sandglass
     , history_times(parameters.history_interval)
     , field_times(parameters.interval)
     , checkpoint_times(parameters.checkpoint_interval)
-    , progress(log, parameters.progress_interval, end_time)
+    , progress(log, timings, parameters.progress_interval, end_time)
     , history(parameters, scene, material)
     , particles(parameters.directory, "particles", communicator)
     , grid(parameters.directory, "grid", communicator)

@@ -18,8 +18,12 @@ namespace Sandglass
 
 
 
-  Progress::Progress(Log &log, const double interval, const double end_time)
+  Progress::Progress(Log               &log,
+                     const TimerOutput &timings,
+                     const double       interval,
+                     const double       end_time)
     : log(log)
+    , timings(timings)
     , interval(interval)
     , end_time(end_time)
   {}
@@ -56,7 +60,11 @@ namespace Sandglass
                  const unsigned long         n_particles,
                  const WallClock::time_point now)
   {
-    const double rate      = particle_steps / to_seconds(now - last_moment);
+    // As in the summary, without the time for output.
+    const double loop_seconds = Timing::seconds(timings, Timing::particle_loop);
+    const double rate = particle_steps / (loop_seconds - last_loop_seconds);
+    last_loop_seconds = loop_seconds;
+
     const double remaining = to_seconds(now - start_moment) *
                              (end_time - clock.time) /
                              (clock.time - start_time);

@@ -139,6 +139,8 @@ namespace Sandglass
     writer->SetInputData(grid);
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
+    // The numbers' last digits are noise, on which more effort gains little.
+    writer->SetCompressionLevel(1);
     if (writer->Write() == 0)
       throw_unwritable(filename);
   }

@@ -18,9 +18,7 @@ namespace Sandglass
   const WallLines::Place &
   WallLines::find(const BoundaryRole role, const Point<dim> &vertex) const
   {
-    const auto entry = places.find(key(role, vertex));
-    Assert(entry != places.end(), ExcMessage("not on a wall of this role"));
-    return entry->second;
+    return places.at(key(role, vertex));
   }
 
 

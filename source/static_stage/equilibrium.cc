@@ -17,8 +17,21 @@ namespace Sandglass
 
 
 
+    Eigen::Matrix2d
+    to_eigen(const Tensor<2, dim> &tensor)
+    {
+      Eigen::Matrix2d matrix;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          matrix(i, j) = tensor[i][j];
+      return matrix;
+    }
+
+
+
+    /// Keeps the volumetric part and scales the deviatoric part by `ratio`.
     Eigen::Matrix4d
-    secant(const double ratio)
+    scale_deviator(const double ratio)
     {
       const SymmetricTensor4 identity(1., 1., 1., 0.);
       return ratio * Eigen::Matrix4d::Identity() +
@@ -27,21 +40,26 @@ namespace Sandglass
 
 
 
+    /// Derivative of the projection as Newton's method uses it.
     Eigen::Matrix4d
     projection_tangent(const DruckerPrager    &material,
-                       const SymmetricTensor4 &trial_stress, const double share)
+                       const SymmetricTensor4 &trial_stress,
+                       const double            elastic_share)
     {
-      static const int mode = std::getenv("MODE") ? std::atoi(std::getenv("MODE")) : 1;
-      static const double floor = std::getenv("FLOOR") ? std::atof(std::getenv("FLOOR")) : separated_stiffness;
-      const double p = pressure(trial_stress), q = von_mises_stress(trial_stress);
+      // At the cone's apex the derivative doesn't exist. Confined material
+      // comes from there along the yield surface rather than elastically.
       if (trial_stress.isZero(0.))
-        return (mode & 1) ? secant(std::min(1., material.yield_slope * material.elasticity.bulk_modulus() / 2. / material.elasticity.shear_modulus)) : Eigen::Matrix4d::Identity();
-      if (p <= 0.)
-        return (floor + (1.-floor)*share) * Eigen::Matrix4d::Identity();
-      const Eigen::Matrix4d P = material.projection_derivative(trial_stress);
-      if (share == 0.) return P;
-      const double ratio = q > material.yield_slope * p ? material.yield_slope * p / q : 1.;
-      return (1. - share) * P + share * ((mode & 2) ? secant(std::max(ratio,floor)) : secant(1.));
+        return scale_deviator(
+          std::min(1.,
+                   material.yield_slope * material.elasticity.bulk_modulus() /
+                     (2. * material.elasticity.shear_modulus)));
+      if (pressure(trial_stress) <= 0.)
+        return (separated_stiffness +
+                (1. - separated_stiffness) * elastic_share) *
+               Eigen::Matrix4d::Identity();
+      return (1. - elastic_share) *
+               material.projection_derivative(trial_stress) +
+             elastic_share * Eigen::Matrix4d::Identity();
     }
   } // namespace
 
@@ -205,6 +223,7 @@ namespace Sandglass
 
   void
   Equilibrium::assemble_tangent(const WallContact              &contact,
+                                const double                    elastic_share,
                                 TrilinosWrappers::SparseMatrix &matrix) const
   {
     matrix                    = 0.;
@@ -228,20 +247,18 @@ namespace Sandglass
                   point.stress_before,
                   point.stress,
                   point.gradient,
-                  projection_tangent(material, point.trial_stress, elastic_share)) *
+                  projection_tangent(material,
+                                     point.trial_stress,
+                                     elastic_share)) *
                 B;
             }
           for (const unsigned int v : cell->vertex_indices())
             if (const auto *equations =
                   contact.equations_at(cell->vertex_index(v)))
-              {
-                Eigen::Matrix2d T;
-                for (unsigned int i = 0; i < dim; ++i)
-                  for (unsigned int j = 0; j < dim; ++j)
-                    T(i, j) = equations->force_operator[i][j];
-                cell_matrix.middleRows<2>(2 * v) =
-                  (T * cell_matrix.middleRows<2>(2 * v)).eval();
-              }
+              cell_matrix.middleRows<dim>(dim * v) =
+                (to_eigen(equations->force_operator) *
+                 cell_matrix.middleRows<dim>(dim * v))
+                  .eval();
           for (unsigned int i = 0; i < n_dofs; ++i)
             for (unsigned int j = 0; j < n_dofs; ++j)
               block(i, j) = cell_matrix(i, j);

@@ -4,13 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <map>
 
 namespace Sandglass
 {
   namespace
   {
+    /**
+     * Share of a node's weight with which a support may pull before it is
+     * released: next to the free surface forces are of the size of rounding, and
+     * nodes would come and go.
+     */
+    constexpr double pull_tolerance = 0.1;
+
+
+
     Tensor<1, dim>
     node_value(const FilledGrid::Vector                        &vector,
                const std::array<types::global_dof_index, dim> &dofs)
@@ -85,9 +93,6 @@ namespace Sandglass
                                      found.is_fixed || support.role ==
                                                          BoundaryRole::axis});
           }
-        if (std::getenv("LOWER") && node.supports.size()==2 && !node.supports[0].is_bilateral && !node.supports[1].is_bilateral)
-          { const int up = node.supports[0].normal[1] > node.supports[1].normal[1] ? 0 : 1;
-            node.supports[up].is_active = node.supports[up].was_active = false; }
         nodes.push_back(node);
       }
 
@@ -142,7 +147,6 @@ namespace Sandglass
         if (support.is_active)
           active.push_back(&support);
       }
-    node.is_sliding = false;
 
     NodeEquations &equations = node.equations;
     equations                = NodeEquations();
@@ -193,7 +197,6 @@ namespace Sandglass
     if (std::abs(trial) >= largest)
       {
         support.tangential_force = std::copysign(largest, trial);
-        node.is_sliding          = true;
         if (largest > 0.)
           direction += std::copysign(friction_coefficient, trial) * n;
       }
@@ -232,15 +235,14 @@ namespace Sandglass
   unsigned int
   WallContact::update_contact()
   {
-    static const double tension_tolerance = std::getenv("TT")?std::atof(std::getenv("TT")):0.1;
     unsigned int n_changes = 0;
     for (Node &node : nodes)
       {
-        // of two supports that pull, the one that pulls more goes first
+        // Of two supports that pull, the one that pulls more goes first.
         Support *released = nullptr;
         for (Support &support : node.supports)
           if (support.is_active && !support.is_bilateral &&
-              support.normal_force < -tension_tolerance * node.weight &&
+              support.normal_force < -pull_tolerance * node.weight &&
               (!released || support.normal_force < released->normal_force))
             released = &support;
         bool is_changed = released != nullptr;
@@ -251,7 +253,6 @@ namespace Sandglass
             if (!support.is_active && support.gap > 0.)
               is_changed = support.is_active = true;
         n_changes += is_changed && node.is_owned;
-        if (is_changed && std::getenv("VERBOSE")) { std::cout << "     change at " << node.position << " released " << (released!=nullptr); for (auto &s2:node.supports) std::cout << " [role " << int(s2.role) << " active " << s2.is_active << " F " << s2.normal_force << " gap " << s2.gap << "]"; std::cout << std::endl; }
       }
     return Utilities::MPI::sum(n_changes, communicator);
   }
@@ -259,7 +260,13 @@ namespace Sandglass
 
 
   void
-  WallContact::set_weight(const Vector &w) { for (auto &node : nodes) node.weight = node_value(w, node.dofs).norm(); }
+  WallContact::set_weight(const Vector &weight)
+  {
+    for (Node &node : nodes)
+      node.weight = node_value(weight, node.dofs).norm();
+  }
+
+
 
   void
   WallContact::commit()
@@ -298,16 +305,5 @@ namespace Sandglass
                             support.normal_force,
                             support.tangential_force});
     return forces;
-  }
-
-
-
-  unsigned int
-  WallContact::n_sliding() const
-  {
-    unsigned int n = 0;
-    for (const Node &node : nodes)
-      n += node.is_owned && node.is_sliding;
-    return Utilities::MPI::sum(n, communicator);
   }
 } // namespace Sandglass

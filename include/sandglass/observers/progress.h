@@ -2,6 +2,7 @@
 #define sandglass_observers_progress_h
 
 #include <sandglass/observers/log.h>
+#include <sandglass/observers/timing.h>
 #include <sandglass/particle_stage/clock.h>
 
 #include <chrono>
@@ -19,7 +20,10 @@ namespace Sandglass
      * @param interval  wall time between lines, in s; 0: no lines.
      * @param end_time  simulated time at which the run ends, in s.
      */
-    Progress(Log &log, const double interval, const double end_time);
+    Progress(Log               &log,
+             const TimerOutput &timings,
+             const double       interval,
+             const double       end_time);
 
     /// The loop begins, at this simulated time.
     void
@@ -37,16 +41,20 @@ namespace Sandglass
          const unsigned long         n_particles,
          const WallClock::time_point now);
 
-    Log         &log;
-    const double interval;
-    const double end_time;
+    Log               &log;
+    const TimerOutput &timings;
+    const double       interval;
+    const double       end_time;
 
     /// Simulated and wall time when the loop began.
     double                start_time = 0.;
     WallClock::time_point start_moment;
 
+    /// Of the last line.
     WallClock::time_point last_moment;
-    unsigned long         particle_steps = 0; ///< since last_moment
+    double                last_loop_seconds = 0.;
+
+    unsigned long particle_steps = 0; ///< since the last line
   };
 
   /// Hours, minutes and seconds as h:mm:ss.

@@ -7,7 +7,9 @@
 
 namespace Sandglass
 {
-  /// Sections of the run's dealii::TimerOutput, in the order of the run.
+  using namespace dealii;
+
+  /// Sections of the run's TimerOutput, in the order of the run.
   namespace Timing
   {
     inline const std::string set_up        = "Set-up";
@@ -17,10 +19,9 @@ namespace Sandglass
 
     /// Wall time of a section so far, in s.
     inline double
-    seconds(const dealii::TimerOutput &timings, const std::string &section)
+    seconds(const TimerOutput &timings, const std::string &section)
     {
-      const auto all =
-        timings.get_summary_data(dealii::TimerOutput::total_wall_time);
+      const auto all   = timings.get_summary_data(TimerOutput::total_wall_time);
       const auto entry = all.find(section);
       return entry == all.end() ? 0. : entry->second;
     }

@@ -60,9 +60,15 @@ namespace Sandglass
                     const double  load_share,
                     Vector       &forces);
 
-    /// Tangent of the equations with contact, at the last evaluate_forces().
+    /**
+     * Tangent of the equations with contact, at the last evaluate_forces().
+     *
+     * @param elastic_share  from 0, the exact derivative of the stress
+     *                       projection, to 1, the elastic stiffness.
+     */
     void
     assemble_tangent(const WallContact              &contact,
+                     const double                    elastic_share,
                      TrilinosWrappers::SparseMatrix &matrix) const;
 
     /// Of quadrature point q in cell i at i * n_points_per_cell + q.
@@ -72,7 +78,6 @@ namespace Sandglass
       return points;
     }
 
-    double elastic_share = 0.;
   private:
     /// Maps nodal increments of a cell to their gradient at a point.
     using GradientOperator = Eigen::Matrix<double, 5, Eigen::Dynamic, 0, 5, 8>;

@@ -15,6 +15,13 @@
 
 namespace Sandglass
 {
+  /**
+   * The state at rest under gravity with the outlet closed, by the updated
+   * Lagrangian finite element method (paper, Section 5; doc/theory.md).
+   *
+   * Residuals are l2 norms of the nodal out-of-balance forces over that of the
+   * nodal weight.
+   */
   class StaticStage
   {
   public:
@@ -24,9 +31,12 @@ namespace Sandglass
                 const StaticStageParameters &parameters,
                 ConditionalOStream          &log);
 
+    /// Throws RunError if even the smallest load step doesn't converge.
+    /// Collective.
     StaticState
     run();
 
+    /// Write static.pvtu with displacement and stress. Collective.
     void
     write_vtu(const std::string &directory) const;
 
@@ -40,10 +50,23 @@ namespace Sandglass
       double       residual;
     };
 
+    /// All state at an iterate; returns the residual.
     double
     evaluate(const Vector &trial_increment, const double load_share);
+
     NewtonResult
     solve_load_step(const double load_share);
+
+    /// Factor of the Newton step that lowers the residual most, among 1, 1/2,
+    /// 1/4 and 1/8, or 0 if none does.
+    double
+    search_line(const Vector &step, const double residual_norm, const double load_share);
+
+    void
+    move_along(const Vector &step, const double factor, Vector &result);
+
+    StaticState
+    make_state() const;
 
     const Scene                 &scene;
     const StaticStageParameters &parameters;

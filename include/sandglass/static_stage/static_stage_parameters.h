@@ -16,7 +16,7 @@ namespace Sandglass
     unsigned int n_load_steps = 5;
     /// Newton stops when the residual is below this share of the weight.
     double       relative_residual  = 1e-10;
-    unsigned int maximum_iterations = 25;
+    unsigned int maximum_iterations = 50;
     /// Shares of the whole load below which a load step is not cut further.
     double smallest_load_step = 1e-3;
   };

@@ -91,7 +91,11 @@ namespace Sandglass
     unsigned int
     update_contact();
 
-    void set_weight(const Vector &w);
+    /// The weight at the nodes that update_contact() measures forces by, in N,
+    /// with ghost entries.
+    void
+    set_weight(const Vector &weight);
+
     /// Keep forces and contact as the start of the next load step.
     void
     commit();
@@ -102,9 +106,6 @@ namespace Sandglass
     /// Of the owned nodes.
     std::vector<WallForce>
     wall_forces() const;
-
-    unsigned int
-    n_sliding() const;
 
   private:
     struct Support
@@ -129,7 +130,7 @@ namespace Sandglass
       bool                                    is_owned;
       std::vector<Support>                    supports;
       NodeEquations                           equations;
-      bool                                    is_sliding = false; double weight=0.;
+      double                                  weight = 0.; ///< in N
     };
 
     void
