@@ -1,10 +1,15 @@
+#include <deal.II/base/mpi.h>
+
 #include <sandglass/particle_stage/contact.h>
+
+#include <map>
 
 namespace Sandglass
 {
   Contact::Contact(const Scene &scene, const WallParameters &parameters)
     : friction(parameters.friction_coefficient(),
                parameters.tangential_penalty)
+    , communicator(scene.communicator)
   {
     for (const auto &boundary :
          find_boundary_nodes(scene.dof_handler, scene.formulation, parameters))
@@ -22,6 +27,39 @@ namespace Sandglass
         nodes.push_back(node);
       }
     memories.resize(nodes.size());
+  }
+
+
+
+  void
+  Contact::start_from(const std::vector<WallForce> &wall_forces)
+  {
+    // The static stage divides nodes between the ranks in its own way.
+    using Record = std::array<double, 4>; // x, y, role, force
+    std::vector<Record> own_records;
+    for (const WallForce &force : wall_forces)
+      own_records.push_back({{force.position[0],
+                              force.position[1],
+                              static_cast<double>(boundary_id(force.role)),
+                              force.tangential_force}});
+    std::map<std::array<double, 3>, double> force_at;
+    for (const auto &records :
+         Utilities::MPI::all_gather(communicator, own_records))
+      for (const auto &[x, y, role, force] : records)
+        force_at[{{x, y, role}}] = force;
+
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (unsigned int s = 0; s < nodes[n].boundary.supports.size(); ++s)
+        {
+          const BoundaryNode &node = nodes[n].boundary;
+          const auto          found =
+            force_at.find({{node.position[0],
+                            node.position[1],
+                            static_cast<double>(
+                              boundary_id(node.supports[s].role))}});
+          if (found != force_at.end())
+            memories[n][s] = {found->second, false};
+        }
   }
 
 

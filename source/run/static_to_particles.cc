@@ -35,5 +35,6 @@ namespace Sandglass
             element.shape_value(i, reference_point) * state.displacement[i];
         return initial;
       });
+    stage.contact.start_from(static_state.wall_forces);
   }
 } // namespace Sandglass

@@ -49,6 +49,15 @@ namespace Sandglass
     void
     constrain(NodalField<dim> &velocity) const;
 
+    /**
+     * Start from the friction that holds the material at rest: without it the
+     * walls' share of the weight would fall until they stick again. Collective.
+     *
+     * @param wall_forces  of the state at rest, each node's on any rank.
+     */
+    void
+    start_from(const std::vector<WallForce> &wall_forces);
+
     /// Work done against wall friction since the start, in J, this rank's nodes.
     double
     friction_dissipation() const
@@ -120,6 +129,7 @@ namespace Sandglass
                            const Tensor<1, dim> &impulse) const;
 
     const CoulombFriction friction;
+    const MPI_Comm        communicator;
     std::vector<Node>     nodes;
     double                dissipation = 0.;
     double                summed_time = 0.;
