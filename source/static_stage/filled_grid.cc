@@ -32,7 +32,7 @@ namespace Sandglass
     , dof_handler(triangulation)
     , node_handler(triangulation)
   {
-    const Mesh mesh = filled_part(scene.mesh, scene_cells);
+    const Mesh mesh      = filled_part(scene.mesh, scene_cells);
     const auto partition = triangulation.signals.create.connect([&]() {
       for (const auto &cell : triangulation.active_cell_iterators())
         cell->set_subdomain_id(
@@ -45,8 +45,10 @@ namespace Sandglass
     node_handler.distribute_dofs(*scene.finite_element);
     owned_dofs = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
-    partitioner = std::make_shared<const Utilities::MPI::Partitioner>(
-      owned_dofs, relevant_dofs, scene.communicator);
+    partitioner =
+      std::make_shared<const Utilities::MPI::Partitioner>(owned_dofs,
+                                                          relevant_dofs,
+                                                          scene.communicator);
   }
 
 
@@ -54,6 +56,8 @@ namespace Sandglass
   FilledGrid::Vector
   FilledGrid::make_vector() const
   {
-    return Vector(partitioner);
+    Vector vector(partitioner);
+    vector.update_ghost_values();
+    return vector;
   }
 } // namespace Sandglass

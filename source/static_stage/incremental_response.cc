@@ -2,12 +2,21 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 namespace Sandglass
 {
   namespace
   {
     namespace G = GradientComponent;
     namespace S = Component;
+
+    /**
+     * Share of the elastic stiffness that separated points keep in the tangent
+     * (not in the forces). Without it, a node all of whose cells are separated
+     * would have an equation of zeros.
+     */
+    constexpr double separated_stiffness = 1e-3;
 
     using Matrix4x5 = Eigen::Matrix<double, 4, 5>;
     using Matrix5x4 = Eigen::Matrix<double, 5, 4>;
@@ -58,9 +67,11 @@ namespace Sandglass
     {
       Matrix4x5 derivative;
       for (int i = 0; i < 5; ++i)
-        derivative.col(i) = IncrementalResponse::trial_stress(
-                              elasticity, stress_before, Gradient5::Unit(i)) -
-                            stress_before;
+        derivative.col(i) =
+          IncrementalResponse::trial_stress(elasticity,
+                                            stress_before,
+                                            Gradient5::Unit(i)) -
+          stress_before;
       return derivative;
     }
 
@@ -89,7 +100,8 @@ namespace Sandglass
       const Eigen::Matrix2d P          = in_plane(stress) * cofactor;
 
       // in-plane rows: stretch * stress * cofactor(H)
-      const auto in_plane_rows = [&](const Eigen::Matrix2d &change, int column) {
+      const auto in_plane_rows = [&](const Eigen::Matrix2d &change,
+                                     int                    column) {
         derivative(G::xx, column) = change(0, 0);
         derivative(G::xy, column) = change(0, 1);
         derivative(G::yx, column) = change(1, 0);
@@ -157,5 +169,32 @@ namespace Sandglass
     return geometric_tangent(stress, H) +
            stress_sensitivity(H) * projection_derivative *
              trial_stress_derivative(elasticity, stress_before);
+  }
+
+
+
+  Eigen::Matrix4d
+  IncrementalResponse::stabilized_projection_derivative(
+    const DruckerPrager    &material,
+    const SymmetricTensor4 &trial_stress,
+    const double            elastic_share)
+  {
+    const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+    if (trial_stress.isZero(0.))
+      {
+        // The apex of the cone. Laterally confined compression, elastic with
+        // q / p = 2 G / K, leaves it along the yield surface if that is
+        // steeper: take its secant, which scales the deviator.
+        const double ratio =
+          std::min(1.,
+                   material.yield_slope * material.elasticity.bulk_modulus() /
+                     (2. * material.elasticity.shear_modulus));
+        const SymmetricTensor4 one(1., 1., 1., 0.);
+        return ratio * identity + (1. - ratio) / 3. * one * one.transpose();
+      }
+    if (pressure(trial_stress) <= 0.)
+      return std::max(separated_stiffness, elastic_share) * identity;
+    return (1. - elastic_share) * material.projection_derivative(trial_stress) +
+           elastic_share * identity;
   }
 } // namespace Sandglass

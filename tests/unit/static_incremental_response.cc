@@ -10,6 +10,10 @@ namespace
 {
   constexpr double pi = 3.14159265358979323846;
 
+  // Stress before the increment in all tests of the tangent: with shear, so
+  // that it turns.
+  const SymmetricTensor4 initial_stress(-5000., -9000., -6000., 700.);
+
   /// E = 1 MPa, nu = 0.3, phi = 25 degrees, as in the paper.
   const Elasticity    elasticity(1e6, 0.3);
   const DruckerPrager material(elasticity, 25. * pi / 180.);
@@ -89,9 +93,6 @@ namespace
 
 
 
-// With rotation, initial stress and hoop strain throughout.
-const SymmetricTensor4 initial_stress(-5000., -9000., -6000., 700.);
-
 TEST(IncrementalResponse, TangentAgreesWithDifferencesWhereElastic)
 {
   for (const double hoop : {0., -0.001})
@@ -125,4 +126,79 @@ TEST(IncrementalResponse, TangentAgreesWithDifferencesWhereSeparated)
       EXPECT_LT(tangent_error(initial_stress, H), 1e-8);
       EXPECT_EQ(tangent(initial_stress, H), Matrix5::Zero());
     }
+}
+
+
+
+namespace
+{
+  /// Gradient of the displacement by a rotation, counterclockwise.
+  Gradient5
+  rotation(const double angle)
+  {
+    return gradient(std::cos(angle) - 1.,
+                    -std::sin(angle),
+                    std::sin(angle),
+                    std::cos(angle) - 1.,
+                    0.);
+  }
+
+
+
+  /// How far a rotated stress is from the exact one, over its size.
+  double
+  rotation_error(const double angle)
+  {
+    const double           c = std::cos(angle), s = std::sin(angle);
+    const auto            &a = initial_stress;
+    const SymmetricTensor4 exact(c * c * a[0] + s * s * a[1] - 2. * c * s * a[3],
+                                 s * s * a[0] + c * c * a[1] + 2. * c * s * a[3],
+                                 a[2],
+                                 c * s * (a[0] - a[1]) +
+                                   (c * c - s * s) * a[3]);
+    // soft, so that the error of the spin is seen beside that of the strain
+    const Elasticity soft(1e4, 0.3);
+    return (IncrementalResponse::trial_stress(soft, a, rotation(angle)) - exact)
+             .norm() /
+           a.norm();
+  }
+} // namespace
+
+
+
+TEST(IncrementalResponse, TranslationChangesNothing)
+{
+  const Gradient5 H = Gradient5::Zero();
+  EXPECT_EQ(IncrementalResponse::trial_stress(elasticity, initial_stress, H),
+            initial_stress);
+  EXPECT_EQ(IncrementalResponse::volume_ratio(H), 1.);
+  const Gradient5 P = IncrementalResponse::piola_stress(initial_stress, H);
+  EXPECT_EQ(P, gradient(-5000., 700., 700., -9000., -6000.));
+}
+
+
+
+// The forward-Euler rule isn't objective for finite rotations (Section 4.1):
+// its error is of second order in the angle.
+TEST(IncrementalResponse, RotationErrorIsOfSecondOrder)
+{
+  EXPECT_LT(rotation_error(1e-3), 1e-5);
+  for (const double angle : {0.02, -0.02})
+    EXPECT_NEAR(rotation_error(angle) / rotation_error(angle / 2.), 4., 0.05);
+  EXPECT_NEAR(IncrementalResponse::volume_ratio(rotation(0.3)), 1., 1e-15);
+}
+
+
+
+// The force P N ds of the reference area N ds is the Cauchy stress on the
+// rotated area, for an exact rotation.
+TEST(IncrementalResponse, PiolaStressTurnsTheArea)
+{
+  const double    angle = 0.7;
+  const Gradient5 P =
+    IncrementalResponse::piola_stress({-1000., 0., 0., 0.}, rotation(angle));
+  const double normal_x = std::cos(angle); // of the area that was normal to x
+  EXPECT_NEAR(P[GradientComponent::xx], -1000. * normal_x, 1e-10);
+  EXPECT_NEAR(P[GradientComponent::yx], 0., 1e-10);
+  EXPECT_NEAR(P[GradientComponent::xy], 1000. * std::sin(angle), 1e-10);
 }

@@ -26,8 +26,8 @@ namespace Sandglass
    * random vector each time: the stiffest spot moves, and a restarted run has
    * to find the same step.
    *
-   * Particles less dense than `stiff_share` of the unstressed material are
-   * separated and carry no stress; they don't count.
+   * Particles without stress that are less dense than `stiff_share` of the
+   * unstressed material are separated; they don't count.
    */
   template <typename Setting>
   class CriticalTimeStep
@@ -142,7 +142,10 @@ namespace Sandglass
     {
       const double *state   = particle.get_properties().data();
       const double  density = state[Property::density];
-      return density >= smallest_density ? state[Property::mass] / density : 0.;
+      const bool    is_stiff =
+        density >= smallest_density ||
+        state[Property::stress + Component::yy] != 0.;
+      return is_stiff ? state[Property::mass] / density : 0.;
     }
 
     void

@@ -1,6 +1,8 @@
 #ifndef sandglass_static_stage_equilibrium_h
 #define sandglass_static_stage_equilibrium_h
 
+#include <deal.II/fe/fe_values.h>
+
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <sandglass/material/drucker_prager.h>
@@ -22,13 +24,14 @@ namespace Sandglass
   public:
     using Vector = FilledGrid::Vector;
 
+    /// At a quadrature point; "before" is the start of the load step.
     struct MaterialPoint
     {
       SymmetricTensor4 stress_before = SymmetricTensor4::Zero(); ///< in Pa
-      SymmetricTensor4 stress        = SymmetricTensor4::Zero(); ///< in Pa
       SymmetricTensor4 trial_stress  = SymmetricTensor4::Zero(); ///< in Pa
+      SymmetricTensor4 stress        = SymmetricTensor4::Zero(); ///< in Pa
       Gradient5        gradient      = Gradient5::Zero();        ///< H
-      /// Current over unloaded volume, at the start of the step and now.
+      /// Current over unloaded volume.
       double volume_ratio_before = 1., volume_ratio = 1.;
     };
 
@@ -38,7 +41,8 @@ namespace Sandglass
                 const double          density,
                 const Tensor<1, dim> &gravity);
 
-    /// Nodal forces of the whole weight in N.
+    /// Nodal forces of the whole weight in N, with ghost entries. Mass is
+    /// conserved: they don't change as the material deforms.
     const Vector &
     weight() const
     {
@@ -71,7 +75,7 @@ namespace Sandglass
                      const double                    elastic_share,
                      TrilinosWrappers::SparseMatrix &matrix) const;
 
-    /// Of quadrature point q in cell i at i * n_points_per_cell + q.
+    /// Quadrature point q of active cell i has the index i * n_points + q.
     const std::vector<MaterialPoint> &
     material_points() const
     {
@@ -79,15 +83,35 @@ namespace Sandglass
     }
 
   private:
-    /// Maps nodal increments of a cell to their gradient at a point.
+    /// Maps nodal increments of a cell to their gradient H at a point.
     using GradientOperator = Eigen::Matrix<double, 5, Eigen::Dynamic, 0, 5, 8>;
     using CellVector       = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
     using CellMatrix =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
+    using CellIterator = DoFHandler<dim>::active_cell_iterator;
 
-    CellVector
-    cell_values(const DoFHandler<dim>::active_cell_iterator &cell,
-                const Vector                                &vector) const;
+    /// Call `work(cell, dofs)` for each owned cell.
+    template <typename Work>
+    void
+    for_each_cell(const Work &work) const;
+
+    /// Make the deformed configuration the reference of one point.
+    void
+    start_step(const FEValues<dim> &fe_values,
+               const unsigned int   q,
+               const CellVector    &displacement,
+               const unsigned int   index);
+
+    void
+    update_stress(const CellVector &increment, const unsigned int index);
+
+    CellMatrix
+    cell_tangent(const CellIterator &cell,
+                 const WallContact  &contact,
+                 const double        elastic_share) const;
+
+    void
+    assemble_weight(const double density, const Tensor<1, dim> &gravity);
 
     const FilledGrid    &grid;
     const Formulation    formulation;

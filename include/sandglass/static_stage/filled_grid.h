@@ -35,9 +35,23 @@ namespace Sandglass
 
     explicit FilledGrid(const Scene &scene);
 
-    /// A nodal vector field that is zero, with ghost entries.
+    /// A nodal vector field that is zero, with up-to-date ghost entries.
     Vector
     make_vector() const;
+
+    /// Where values at quadrature point q of a cell stand in arrays of them.
+    unsigned int
+    point_index(const CellAccessor<dim> &cell, const unsigned int q) const
+    {
+      return cell.active_cell_index() * quadrature.size() + q;
+    }
+
+    /// Direction of a cell's degree of freedom: 0 is x, 1 is y.
+    unsigned int
+    component(const unsigned int i) const
+    {
+      return finite_element.system_to_component_index(i).first;
+    }
 
     /// Index in the Scene of each active cell.
     std::vector<unsigned int> scene_cells;

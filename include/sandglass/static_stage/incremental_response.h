@@ -68,6 +68,18 @@ namespace Sandglass
             const SymmetricTensor4 &stress,
             const Gradient5        &H,
             const Eigen::Matrix4d  &projection_derivative);
+
+    /**
+     * DruckerPrager::projection_derivative() as Newton's method uses it, for
+     * points where that is zero or doesn't exist.
+     *
+     * @param elastic_share  from 0, the derivative, to 1, the identity, which
+     *                       gives the elastic stiffness.
+     */
+    Eigen::Matrix4d
+    stabilized_projection_derivative(const DruckerPrager    &material,
+                                     const SymmetricTensor4 &trial_stress,
+                                     const double            elastic_share);
   } // namespace IncrementalResponse
 } // namespace Sandglass
 

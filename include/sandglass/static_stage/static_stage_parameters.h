@@ -12,11 +12,11 @@ namespace Sandglass
     StaticStageParameters();
 
     /// Without it, material starts unstressed and undisplaced.
-    bool         is_enabled = true;
+    bool         is_enabled   = true;
     unsigned int n_load_steps = 5;
     /// Newton stops when the residual is below this share of the weight.
     double       relative_residual  = 1e-10;
-    unsigned int maximum_iterations = 50;
+    unsigned int maximum_iterations = 100;
     /// Shares of the whole load below which a load step is not cut further.
     double smallest_load_step = 1e-3;
   };

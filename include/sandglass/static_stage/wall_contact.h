@@ -30,7 +30,9 @@ namespace Sandglass
    * update_contact().
    *
    * A node with two supports in contact can't move, and they share its force
-   * along their two normals.
+   * along their two normals. Where two walls meet, a node starts on the one
+   * that carries more of its weight: at the top of a hopper it can slide, and
+   * closes the gap to the vertical wall only if it is pushed there.
    */
   class WallContact
   {
@@ -38,6 +40,8 @@ namespace Sandglass
     using Vector = FilledGrid::Vector;
 
     /**
+     * @param weight            nodal forces of the whole weight in N, with
+     *                          ghost entries.
      * @param constraint_scale  stiffness in N/m by which equations of normal
      *                          displacement are multiplied, so that they are
      *                          of the size of the others.
@@ -45,16 +49,18 @@ namespace Sandglass
     WallContact(const FilledGrid     &grid,
                 const Formulation     formulation,
                 const WallParameters &parameters,
+                const Vector         &weight,
                 const double          constraint_scale);
 
-    /// The equations of a node at an iterate: operator G + ..., linearised.
+    /**
+     * The equations that a node has instead of G = 0: their residual, and their
+     * tangent force_operator dG/du + stiffness.
+     */
     struct NodeEquations
     {
-      /// Acts on G, in the residual and in the tangent.
       Tensor<2, dim> force_operator;
-      /// Tangent of the rest with respect to the displacement.
-      Tensor<2, dim> stiffness;
-      Tensor<1, dim> residual;
+      Tensor<2, dim> stiffness; ///< in N/m
+      Tensor<1, dim> residual;  ///< in N
     };
 
     /**
@@ -83,18 +89,16 @@ namespace Sandglass
     add_stiffness(const Function &add) const;
 
     /**
-     * Release supports that would pull, and close those that the displacement
-     * has passed. Needs evaluate() at the same iterate.
+     * Release supports that pull, and close those that the displacement has
+     * passed. Needs evaluate() at the same iterate. A pull below the node's own
+     * weight is let be, without friction: the mesh doesn't resolve it, and at
+     * the free surface the released node would often find no other place.
      *
+     * @param load_share  share of gravity that acts.
      * @return number of changes on all ranks.
      */
     unsigned int
-    update_contact();
-
-    /// The weight at the nodes that update_contact() measures forces by, in N,
-    /// with ghost entries.
-    void
-    set_weight(const Vector &weight);
+    update_contact(const double load_share);
 
     /// Keep forces and contact as the start of the next load step.
     void
@@ -112,37 +116,56 @@ namespace Sandglass
     {
       BoundaryRole   role;
       Tensor<1, dim> normal, tangent;
-      double         tributary_area;
-      bool           is_bilateral;
+      double         tributary_area; ///< in m^2
+      /// Can pull as well as push.
+      bool is_bilateral;
 
-      bool   is_active         = true;
-      double gap               = 0.; ///< normal displacement, in m
-      double normal_force      = 0.; ///< F_N in N
-      double tangential_force  = 0.; ///< F_T in N
+      bool   is_active        = true;
+      double gap              = 0.; ///< normal displacement, in m
+      double normal_force     = 0.; ///< F_N in N
+      double tangential_force = 0.; ///< F_T in N
+
+      // at the start of the load step
       bool   was_active        = true;
       double tangential_before = 0.; ///< F_T^n in N
     };
 
     struct Node
     {
-      Point<dim>                              position;
+      Point<dim>                               position;
       std::array<types::global_dof_index, dim> dofs;
-      bool                                    is_owned;
-      std::vector<Support>                    supports;
-      NodeEquations                           equations;
-      double                                  weight = 0.; ///< in N
+      bool                                     is_owned = false;
+      Tensor<1, dim>                           weight; ///< in N
+      std::vector<Support>                     supports;
+      NodeEquations                            equations;
     };
 
     void
-    evaluate_single(Node                 &node,
-                    Support              &support,
-                    const Tensor<1, dim> &force,
-                    const Tensor<1, dim> &increment) const;
+    collect_nodes(const FilledGrid     &grid,
+                  const Formulation     formulation,
+                  const WallParameters &parameters);
+    /// Let a node that rests on two walls start on one of them.
+    void
+    open_upper_support(Node &node) const;
+
     void
     evaluate_node(Node                 &node,
                   const Tensor<1, dim> &force,
                   const Tensor<1, dim> &displacement,
                   const Tensor<1, dim> &increment) const;
+    /// One support in contact: the node can slide along it.
+    void
+    evaluate_sliding(NodeEquations        &equations,
+                     Support              &support,
+                     const Tensor<1, dim> &force,
+                     const Tensor<1, dim> &increment) const;
+    /// Two supports in contact: the node can't move.
+    void
+    evaluate_held(NodeEquations        &equations,
+                  Support              &first,
+                  Support              &second,
+                  const Tensor<1, dim> &force,
+                  const Tensor<1, dim> &displacement) const;
 
     const MPI_Comm            communicator;
     const double              friction_coefficient;

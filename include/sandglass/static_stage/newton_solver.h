@@ -1,0 +1,77 @@
+#ifndef sandglass_static_stage_newton_solver_h
+#define sandglass_static_stage_newton_solver_h
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <sandglass/static_stage/equilibrium.h>
+#include <sandglass/static_stage/static_stage_parameters.h>
+#include <sandglass/static_stage/wall_contact.h>
+
+namespace Sandglass
+{
+  /**
+   * Newton's method for one load step, with a line search. Where the exact
+   * tangent gives no descent, elastic stiffness is mixed into it until it does.
+   *
+   * Residuals are l2 norms of the nodal out-of-balance forces over that of the
+   * whole weight's nodal forces.
+   */
+  class NewtonSolver
+  {
+  public:
+    using Vector = FilledGrid::Vector;
+
+    NewtonSolver(const FilledGrid            &grid,
+                 Equilibrium                 &equilibrium,
+                 WallContact                 &contact,
+                 const StaticStageParameters &parameters);
+
+    struct Result
+    {
+      bool         has_converged;
+      unsigned int n_iterations;
+      double       residual;
+    };
+
+    /**
+     * @param[in]     displacement_before  at the start of the step.
+     * @param[in,out] increment  of the displacement: initial guess in, result
+     *                           out. Both with ghost entries.
+     * @param[in]     load_share  share of gravity at the end of the step.
+     */
+    Result
+    solve(const Vector &displacement_before,
+          const double  load_share,
+          Vector       &increment);
+
+  private:
+    /// Bring all state to an iterate; returns the residual.
+    double
+    evaluate(const Vector &increment);
+
+    /// Solve for the Newton step at the last iterate that evaluate() was called
+    /// with; false if the tangent is singular.
+    bool
+    find_step(const double elastic_share);
+
+    /// The factor of the step that lowers the residual most among 1, 1/2, ...,
+    /// 1/32, or 0 if none does.
+    double
+    search_line(const Vector &increment, const double residual_norm);
+
+    void
+    move(const Vector &increment, const double factor, Vector &result) const;
+
+    const FilledGrid            &grid;
+    Equilibrium                 &equilibrium;
+    WallContact                 &contact;
+    const StaticStageParameters &parameters;
+
+    TrilinosWrappers::SparseMatrix tangent;
+    Vector                         forces, residual, step, trial, displacement;
+    const Vector                  *displacement_before = nullptr;
+    double                         load_share          = 0.;
+  };
+} // namespace Sandglass
+
+#endif

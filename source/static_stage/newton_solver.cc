@@ -1,0 +1,198 @@
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/trilinos_solver.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <sandglass/static_stage/newton_solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Sandglass
+{
+  namespace
+  {
+    /// Contact is updated when the forces are this close to balance: before,
+    /// the reactions' signs say little.
+    constexpr double residual_for_contact = 1e-6;
+
+    /// A step may raise the residual by this share. Falling separated material
+    /// doesn't change it until it meets something.
+    constexpr double tolerated_rise = 1e-3;
+
+
+
+    /**
+     * How much elastic stiffness Newton's tangent gets: none as long as the
+     * exact tangent serves, more after each failure, less after success.
+     */
+    class ElasticShare
+    {
+    public:
+      double
+      value() const
+      {
+        return share;
+      }
+
+      /// @param factor  that the line search found; 0 is a failure.
+      void
+      adapt(const double factor)
+      {
+        if (factor == 0.)
+          share = share == 0. ? smallest : std::min(1., share * 4.);
+        else if (factor < 0.5)
+          share = std::max(share, smallest);
+        else
+          share = share <= smallest ? 0. : share / 4.;
+      }
+
+    private:
+      static constexpr double smallest = 1e-2;
+      double                  share    = 0.;
+    };
+  } // namespace
+
+
+
+  NewtonSolver::NewtonSolver(const FilledGrid            &grid,
+                             Equilibrium                 &equilibrium,
+                             WallContact                 &contact,
+                             const StaticStageParameters &parameters)
+    : grid(grid)
+    , equilibrium(equilibrium)
+    , contact(contact)
+    , parameters(parameters)
+    , forces(grid.make_vector())
+    , residual(grid.make_vector())
+    , step(grid.make_vector())
+    , trial(grid.make_vector())
+    , displacement(grid.make_vector())
+  {
+    TrilinosWrappers::SparsityPattern sparsity(
+      grid.owned_dofs, grid.triangulation.get_communicator());
+    DoFTools::make_sparsity_pattern(
+      grid.dof_handler,
+      sparsity,
+      AffineConstraints<double>(),
+      true,
+      grid.triangulation.locally_owned_subdomain());
+    sparsity.compress();
+    tangent.reinit(sparsity);
+  }
+
+
+
+  double
+  NewtonSolver::evaluate(const Vector &increment)
+  {
+    displacement.zero_out_ghost_values();
+    displacement.equ(1., *displacement_before);
+    displacement.add(1., increment);
+    displacement.update_ghost_values();
+
+    equilibrium.evaluate_forces(increment, load_share, forces);
+    contact.evaluate(forces, displacement, increment);
+    residual.zero_out_ghost_values();
+    residual.equ(1., forces);
+    contact.replace_residual(residual);
+    return residual.l2_norm() / equilibrium.weight().l2_norm();
+  }
+
+
+
+  void
+  NewtonSolver::move(const Vector &increment,
+                     const double  factor,
+                     Vector       &result) const
+  {
+    result.zero_out_ghost_values();
+    result.equ(1., increment);
+    result.add(-factor, step);
+    result.update_ghost_values();
+  }
+
+
+
+  bool
+  NewtonSolver::find_step(const double elastic_share)
+  {
+    equilibrium.assemble_tangent(contact, elastic_share, tangent);
+    SolverControl                  control;
+    TrilinosWrappers::SolverDirect solver(control);
+    step.zero_out_ghost_values();
+    try
+      {
+        solver.solve(tangent, step, residual);
+      }
+    catch (const ExceptionBase &)
+      {
+        return false;
+      }
+    return std::isfinite(step.l2_norm());
+  }
+
+
+
+  double
+  NewtonSolver::search_line(const Vector &increment, const double residual_norm)
+  {
+    double best_factor = 0.;
+    double best_norm   = (1. + tolerated_rise) * residual_norm;
+    for (double factor = 1.; factor >= 1. / 32.; factor /= 2.)
+      {
+        move(increment, factor, trial);
+        const double norm = evaluate(trial);
+        if (norm < best_norm)
+          {
+            best_norm   = norm;
+            best_factor = factor;
+          }
+        else if (best_factor > 0.)
+          break;
+        if (norm < (1. - 0.5 * factor) * residual_norm)
+          break;
+      }
+    return best_factor;
+  }
+
+
+
+  NewtonSolver::Result
+  NewtonSolver::solve(const Vector &displacement_before,
+                      const double  load_share,
+                      Vector       &increment)
+  {
+    this->displacement_before = &displacement_before;
+    this->load_share          = load_share;
+
+    ElasticShare elastic_share;
+    double       norm = evaluate(increment);
+    for (unsigned int i = 0;; ++i)
+      {
+        if (norm < residual_for_contact)
+          {
+            if (contact.update_contact(load_share) > 0)
+              norm = evaluate(increment);
+            else if (norm < parameters.relative_residual)
+              return {true, i, norm};
+          }
+
+        if (i == parameters.maximum_iterations || !std::isfinite(norm) ||
+            !find_step(elastic_share.value()))
+          return {false, i, norm};
+
+        double factor = search_line(increment, norm);
+        // The elastic step is the last resort: follow it even uphill.
+        if (factor == 0. && elastic_share.value() == 1.)
+          factor = 0.5;
+        else
+          elastic_share.adapt(factor);
+        move(increment, factor, trial);
+        increment.swap(trial);
+        norm = evaluate(increment);
+      }
+  }
+} // namespace Sandglass

@@ -1,0 +1,133 @@
+#ifndef sandglass_tests_static_fixture_h
+#define sandglass_tests_static_fixture_h
+
+#include <sandglass/scene/make_mesh.h>
+#include <sandglass/static_stage/static_stage.h>
+
+#include "rectangle_mesh.h"
+
+#include <memory>
+#include <sstream>
+
+/**
+ * The static stage on any mesh, with all parameters at hand before run().
+ *
+ * The parameter classes add themselves to a global list; it is cleared so that
+ * each test can make its own.
+ */
+struct StaticFixture
+{
+  struct ClearedParameters
+  {
+    ClearedParameters()
+    {
+      dealii::ParameterAcceptor::clear();
+    }
+  };
+
+  ClearedParameters                cleared;
+  Sandglass::SceneParameters       silo; ///< for run_silo()
+  Sandglass::MaterialParameters    material;
+  Sandglass::WallParameters        walls;
+  Sandglass::StaticStageParameters parameters;
+
+  Sandglass::Formulation formulation = Sandglass::Formulation::plane_strain;
+  dealii::Tensor<1, 2>   gravity{{0., -9.81}};
+
+  std::unique_ptr<Sandglass::Scene> scene;
+  Sandglass::StaticState            state;
+  std::ostringstream                log_text;
+
+  void
+  run(const Sandglass::Mesh &mesh)
+  {
+    scene = std::make_unique<Sandglass::Scene>(
+      mesh, formulation, 4, gravity, MPI_COMM_WORLD);
+    dealii::ConditionalOStream log(log_text);
+    Sandglass::StaticStage stage(*scene, material, walls, parameters, log);
+    state = stage.run();
+  }
+
+  void
+  run_silo()
+  {
+    run(Sandglass::mesh_silo(silo));
+  }
+
+  unsigned int
+  n_points() const
+  {
+    return scene->mesh.cell_type == Sandglass::CellType::triangle ? 1 : 4;
+  }
+
+  /// Call `function(cell, cell_state)` for each filled cell.
+  template <typename Function>
+  void
+  for_each_cell(const Function &function) const
+  {
+    for (const auto &cell : scene->triangulation.active_cell_iterators())
+      if (scene->mesh.cells[cell->active_cell_index()].is_filled)
+        function(cell, state.cells[cell->active_cell_index()]);
+  }
+
+  /// Mean over the cell's quadrature points.
+  Sandglass::SymmetricTensor4
+  mean_stress(const Sandglass::StaticState::CellState &cell_state) const
+  {
+    Sandglass::SymmetricTensor4 sum = Sandglass::SymmetricTensor4::Zero();
+    for (unsigned int q = 0; q < n_points(); ++q)
+      sum += cell_state.stress[q];
+    return sum / n_points();
+  }
+
+  /// In N, or N per metre of depth.
+  double
+  weight() const
+  {
+    double volume = 0.;
+    for_each_cell([&](const auto &cell, const auto &) {
+      if (formulation == Sandglass::Formulation::plane_strain)
+        volume += cell->measure();
+      else // Pappus
+        volume += cell->measure() * 2. * dealii::numbers::PI *
+                  center_of_mass(*cell)[0];
+    });
+    return -gravity[1] * material.density * volume;
+  }
+
+  /// Upward force of all walls on the material, in N.
+  double
+  lift() const
+  {
+    double sum = 0.;
+    for (const auto &force : state.wall_forces)
+      sum += -force.normal_force * force.normal[1] +
+             force.tangential_force * Sandglass::wall_tangent(force.normal)[1];
+    return sum;
+  }
+
+private:
+  static dealii::Point<2>
+  center_of_mass(const dealii::CellAccessor<2> &cell)
+  {
+    const auto area = [](const auto &a, const auto &b, const auto &c) {
+      return 0.5 * std::abs((b[0] - a[0]) * (c[1] - a[1]) -
+                            (b[1] - a[1]) * (c[0] - a[0]));
+    };
+    // vertices 0, 1, 2 and, in quadrilaterals, 1, 3, 2
+    dealii::Point<2> sum;
+    double           total = 0.;
+    for (unsigned int last = 0; last + 2 < cell.n_vertices(); ++last)
+      {
+        const auto &a = cell.vertex(last == 0 ? 0 : 3);
+        const auto &b = cell.vertex(1), &c = cell.vertex(2);
+        sum += area(a, b, c) / 3. *
+               (dealii::Tensor<1, 2>(a) + dealii::Tensor<1, 2>(b) +
+                dealii::Tensor<1, 2>(c));
+        total += area(a, b, c);
+      }
+    return sum / total;
+  }
+};
+
+#endif
