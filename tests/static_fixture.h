@@ -4,10 +4,10 @@
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/static_stage/static_stage.h>
 
-#include "rectangle_mesh.h"
-
 #include <memory>
 #include <sstream>
+
+#include "rectangle_mesh.h"
 
 /**
  * The static stage on any mesh, with all parameters at hand before run().
@@ -44,7 +44,7 @@ struct StaticFixture
     scene = std::make_unique<Sandglass::Scene>(
       mesh, formulation, 4, gravity, MPI_COMM_WORLD);
     dealii::ConditionalOStream log(log_text);
-    Sandglass::StaticStage stage(*scene, material, walls, parameters, log);
+    Sandglass::StaticStage     stage(*scene, material, walls, parameters, log);
     state = stage.run();
   }
 
@@ -89,8 +89,8 @@ struct StaticFixture
       if (formulation == Sandglass::Formulation::plane_strain)
         volume += cell->measure();
       else // Pappus
-        volume += cell->measure() * 2. * dealii::numbers::PI *
-                  center_of_mass(*cell)[0];
+        volume +=
+          cell->measure() * 2. * dealii::numbers::PI * center_of_mass(*cell)[0];
     });
     return -gravity[1] * material.density * volume;
   }

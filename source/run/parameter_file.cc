@@ -37,18 +37,28 @@ namespace Sandglass
 
 
 
+    /// An exception's own text on one line; deal.II breaks it into several.
+    std::string
+    info_of(const ExceptionBase &exception)
+    {
+      std::ostringstream info;
+      exception.print_info(info);
+      return std::regex_replace(Utilities::trim(info.str()),
+                                std::regex("\\s+"),
+                                " ");
+    }
+
+
+
     /// The pattern's description, which deal.II has only in its exception.
     std::string
     allowed_values(const ExceptionBase &exception)
     {
-      const std::string what = exception.what();
-      const std::string key  = "does not match the given pattern";
-      const auto        start = what.find(key);
+      const std::string info = info_of(exception);
       std::smatch       match;
-      const std::string rest =
-        start == std::string::npos ? what : what.substr(start + key.size());
-      const std::regex first_text("[:\\s]*([^\\n]*\\S)");
-      return std::regex_search(rest, match, first_text) ? match[1].str() : rest;
+      return std::regex_search(info, match, std::regex("pattern[^<]*<(.*)>")) ?
+               match[1].str() :
+               info;
     }
   } // namespace
 
@@ -131,12 +141,8 @@ namespace Sandglass
       }
     catch (const ExceptionBase &exception)
       {
-        std::ostringstream info;
-        exception.print_info(info);
         throw InputError(filename + ": the file can't be understood: " +
-                         std::regex_replace(Utilities::trim(info.str()),
-                                            std::regex("\\s+"),
-                                            " "));
+                         info_of(exception));
       }
     // The command line overrides the file.
     for (const Entry &entry : entries)

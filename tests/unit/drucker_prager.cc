@@ -121,9 +121,8 @@ TEST(DruckerPrager, DerivativeAgreesWithDifferences)
             (project(trial + change).stress - project(trial - change).stress) /
             (2. * step);
         }
-      const double error =
-        (material.projection_derivative(trial) - differences)
-          .lpNorm<Eigen::Infinity>();
+      const double error = (material.projection_derivative(trial) - differences)
+                             .lpNorm<Eigen::Infinity>();
       std::cout << "largest difference of the derivative " << error
                 << std::endl;
       EXPECT_LT(error, 1e-9);

@@ -41,6 +41,20 @@ namespace
 
 
 
+  /// The lines of a .pvd that list files; its head has the time of day.
+  std::vector<std::string>
+  data_sets(const std::string &filename)
+  {
+    std::vector<std::string> lines;
+    for (const auto &line : read_lines(filename))
+      if (line.find("<DataSet") != std::string::npos)
+        lines.push_back(line);
+    EXPECT_GT(lines.size(), 5) << filename;
+    return lines;
+  }
+
+
+
   TEST(Checkpoint, resumed_run_is_the_same_bit_by_bit)
   {
     SmallSilo whole_silo;
@@ -61,14 +75,14 @@ namespace
     EXPECT_EQ(second_part.stage->clock.step, whole.stage->clock.step);
     EXPECT_EQ(state_of_particles(*second_part.stage),
               state_of_particles(*whole.stage));
-    for (const std::string name : {"history.csv",
-                                   "flow_rate.csv",
-                                   "wall_traction.csv",
-                                   "particles.pvd",
-                                   "grid.pvd",
-                                   "walls.pvd"})
-      EXPECT_EQ(read_text(silo.output.directory + '/' + name),
-                read_text(whole_silo.output.directory + '/' + name))
+    for (const std::string name :
+         {"/history.csv", "/flow_rate.csv", "/wall_traction.csv"})
+      EXPECT_EQ(read_text(silo.output.directory + name),
+                read_text(whole_silo.output.directory + name))
+        << name;
+    for (const std::string name : {"/particles.pvd", "/grid.pvd", "/walls.pvd"})
+      EXPECT_EQ(data_sets(silo.output.directory + name),
+                data_sets(whole_silo.output.directory + name))
         << name;
     // Some was discharged before, and some after the checkpoint.
     EXPECT_GT(second_part.stage->removed_mass().discharged, 0.);

@@ -60,8 +60,7 @@ namespace
                               piola_stress(stress_before, H - change)) /
                              (2. * step);
       }
-    return (tangent(stress_before, H) - differences)
-             .lpNorm<Eigen::Infinity>() /
+    return (tangent(stress_before, H) - differences).lpNorm<Eigen::Infinity>() /
            elasticity.confined_modulus();
   }
 
@@ -151,11 +150,11 @@ namespace
   {
     const double           c = std::cos(angle), s = std::sin(angle);
     const auto            &a = initial_stress;
-    const SymmetricTensor4 exact(c * c * a[0] + s * s * a[1] - 2. * c * s * a[3],
-                                 s * s * a[0] + c * c * a[1] + 2. * c * s * a[3],
-                                 a[2],
-                                 c * s * (a[0] - a[1]) +
-                                   (c * c - s * s) * a[3]);
+    const SymmetricTensor4 exact(
+      c * c * a[0] + s * s * a[1] - 2. * c * s * a[3],
+      s * s * a[0] + c * c * a[1] + 2. * c * s * a[3],
+      a[2],
+      c * s * (a[0] - a[1]) + (c * c - s * s) * a[3]);
     // soft, so that the error of the spin is seen beside that of the strain
     const Elasticity soft(1e4, 0.3);
     return (IncrementalResponse::trial_stress(soft, a, rotation(angle)) - exact)

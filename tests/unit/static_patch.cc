@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "rectangle_mesh.h"
-
 #include <iostream>
+
+#include "rectangle_mesh.h"
 
 using namespace Sandglass;
 
@@ -118,10 +118,10 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
   EXPECT_LT(patch.largest_inner_force(), 1e-14);
 
   patch.equilibrium.start_step(first);
-  patch.equilibrium.evaluate_forces(
-    patch.linear_field(L_2 * (L_1 + unit_symmetric_tensor<2>())),
-    0.,
-    patch.forces);
+  patch.equilibrium.evaluate_forces(patch.linear_field(
+                                      L_2 * (L_1 + unit_symmetric_tensor<2>())),
+                                    0.,
+                                    patch.forces);
   SymmetricTensor4 plastic = elastic + jaumann_rotation(elastic, 0.002) +
                              elasticity.stress({0.004, -0.020, 0., -0.001});
   double dissipation = 0.;
@@ -131,8 +131,8 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
   EXPECT_LT(patch.largest_inner_force(), 1e-14);
 
   // J = det(I + L_2) det(I + L_1)
-  const double ratio = (1.004 * 0.980 + 0.003 * 0.001) *
-                       (0.990 * 0.986 - 0.004 * 0.002);
+  const double ratio =
+    (1.004 * 0.980 + 0.003 * 0.001) * (0.990 * 0.986 - 0.004 * 0.002);
   for (const auto &point : patch.equilibrium.material_points())
     EXPECT_NEAR(point.volume_ratio / ratio, 1., 1e-13);
 }
@@ -143,9 +143,10 @@ TEST_P(PatchTest, TranslationAndRotationNeedNoForces)
 {
   Patch              patch(GetParam(), Formulation::plane_strain);
   constexpr double   angle = 1e-6;
-  FilledGrid::Vector field = patch.linear_field(
-    tensor(std::cos(angle) - 1., -std::sin(angle), std::sin(angle),
-           std::cos(angle) - 1.));
+  FilledGrid::Vector field = patch.linear_field(tensor(std::cos(angle) - 1.,
+                                                       -std::sin(angle),
+                                                       std::sin(angle),
+                                                       std::cos(angle) - 1.));
   field.zero_out_ghost_values();
   field.add(0.3); // in both directions
   field.update_ghost_values();
@@ -178,7 +179,6 @@ TEST(AxisymmetricPatch, UniformStrainNeedsNoInnerForces)
   Patch      patch(CellType::triangle, Formulation::axisymmetric);
   const auto field = patch.linear_field(tensor(-0.010, 0., 0., -0.014));
   patch.equilibrium.evaluate_forces(field, 0., patch.forces);
-  patch.expect_uniform_stress(
-    elasticity.stress({-0.010, -0.014, -0.010, 0.}));
+  patch.expect_uniform_stress(elasticity.stress({-0.010, -0.014, -0.010, 0.}));
   EXPECT_LT(patch.largest_inner_force(), 1e-13);
 }
