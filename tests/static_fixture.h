@@ -1,6 +1,10 @@
 #ifndef sandglass_tests_static_fixture_h
 #define sandglass_tests_static_fixture_h
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_values.h>
+
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/static_stage/static_stage.h>
 
@@ -80,17 +84,29 @@ struct StaticFixture
     return sum / n_points();
   }
 
-  /// In N, or N per metre of depth.
+  /// Of the material's mass as the static stage integrates it. In N, or N per
+  /// metre of depth.
   double
   weight() const
   {
+    dealii::Quadrature<2> quadrature = dealii::QGaussSimplex<2>(1);
+    if (scene->mesh.cell_type == Sandglass::CellType::quadrilateral)
+      quadrature = dealii::QIterated<2>(dealii::QMidpoint<1>(), 2);
+    dealii::FEValues<2> fe_values(scene->mapping,
+                                  *scene->finite_element,
+                                  quadrature,
+                                  dealii::update_quadrature_points |
+                                    dealii::update_JxW_values);
+    const bool          is_axisymmetric =
+      formulation == Sandglass::Formulation::axisymmetric;
     double volume = 0.;
     for_each_cell([&](const auto &cell, const auto &) {
-      if (formulation == Sandglass::Formulation::plane_strain)
-        volume += cell->measure();
-      else // Pappus
-        volume +=
-          cell->measure() * 2. * dealii::numbers::PI * center_of_mass(*cell)[0];
+      fe_values.reinit(cell);
+      for (const unsigned int q : fe_values.quadrature_point_indices())
+        volume += fe_values.JxW(q) * (is_axisymmetric ?
+                                        2. * dealii::numbers::PI *
+                                          fe_values.quadrature_point(q)[0] :
+                                        1.);
     });
     return -gravity[1] * material.density * volume;
   }
@@ -104,29 +120,6 @@ struct StaticFixture
       sum += -force.normal_force * force.normal[1] +
              force.tangential_force * Sandglass::wall_tangent(force.normal)[1];
     return sum;
-  }
-
-private:
-  static dealii::Point<2>
-  center_of_mass(const dealii::CellAccessor<2> &cell)
-  {
-    const auto area = [](const auto &a, const auto &b, const auto &c) {
-      return 0.5 * std::abs((b[0] - a[0]) * (c[1] - a[1]) -
-                            (b[1] - a[1]) * (c[0] - a[0]));
-    };
-    // vertices 0, 1, 2 and, in quadrilaterals, 1, 3, 2
-    dealii::Point<2> sum;
-    double           total = 0.;
-    for (unsigned int last = 0; last + 2 < cell.n_vertices(); ++last)
-      {
-        const auto &a = cell.vertex(last == 0 ? 0 : 3);
-        const auto &b = cell.vertex(1), &c = cell.vertex(2);
-        sum += area(a, b, c) / 3. *
-               (dealii::Tensor<1, 2>(a) + dealii::Tensor<1, 2>(b) +
-                dealii::Tensor<1, 2>(c));
-        total += area(a, b, c);
-      }
-    return sum / total;
   }
 };
 

@@ -46,7 +46,7 @@ namespace
     double
     tolerance() const
     {
-      return std::get<0>(GetParam()) == CellType::triangle ? 0.01 : 1e-4;
+      return std::get<0>(GetParam()) == CellType::triangle ? 0.02 : 1e-4;
     }
 
     StaticFixture fixture;

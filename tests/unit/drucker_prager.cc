@@ -48,8 +48,8 @@ namespace
 TEST(DruckerPrager, SlopeOfTheYieldSurface)
 {
   EXPECT_NEAR(material.yield_slope, 1.25, 1e-15);
-  // phi = 25 degrees: sin = 0.4226182617, sin^2 = 0.1786061952
-  EXPECT_NEAR(DruckerPrager::slope(25. * pi / 180.), 0.8623504938, 1e-10);
+  // phi = 25 degrees: 18 * 0.4226182617 / (9 - 0.1786061952)
+  EXPECT_NEAR(DruckerPrager::slope(25. * pi / 180.), 0.8623499732, 1e-10);
 }
 
 
