@@ -74,8 +74,8 @@ namespace Sandglass
     Log log(communicator, command_line.is_quiet);
     log.stream() << banner(communicator) << std::flush;
 
-    TimerOutput timings(communicator,
-                        log.stream(),
+    // Of this rank alone: otherwise deal.II adds a warning to each error.
+    TimerOutput timings(log.stream(),
                         TimerOutput::never,
                         TimerOutput::wall_times);
     timings.enter_subsection(Timing::set_up);
@@ -86,6 +86,15 @@ namespace Sandglass
                           parameters.walls,
                           parameters.particle_stage);
     timings.leave_subsection();
+
+    std::optional<Checkpoint> checkpoint;
+    if (command_line.is_restart)
+      checkpoint = read_checkpoint(parameters.output.directory,
+                                   checkpoint_settings(
+                                     scene,
+                                     parameters.material,
+                                     parameters.walls,
+                                     parameters.particle_stage));
 
     prepare_output_directory(parameters.output,
                              command_line.is_restart,
@@ -100,8 +109,13 @@ namespace Sandglass
                         timings);
     try
       {
-        const auto wall_forces = rest(parameters, *stage, log, timings);
-        observers.start(*stage, wall_forces ? &*wall_forces : nullptr);
+        if (checkpoint)
+          observers.resume(*stage, *checkpoint);
+        else
+          {
+            const auto wall_forces = rest(parameters, *stage, log, timings);
+            observers.start(*stage, wall_forces ? &*wall_forces : nullptr);
+          }
         flow(*stage, observers, timings);
         observers.finish(*stage);
       }
