@@ -2,6 +2,7 @@
 
 #include <sandglass/observers/checkpoint.h>
 
+#include <algorithm>
 #include <map>
 
 namespace Sandglass

@@ -70,12 +70,14 @@ namespace Sandglass
                       const WallParameters          &walls,
                       const ParticleStageParameters &particle_stage)
   {
-    const auto on = [](const bool flag) {
-      return std::string(flag ? "true" : "false");
+    const auto flag = [](const bool value) {
+      return std::string(value ? "true" : "false");
     };
     const auto choice = [](const std::vector<std::string> &names,
                            const auto                      value) {
-      return names.at(static_cast<unsigned int>(value));
+      const auto index = static_cast<unsigned int>(value);
+      return index < names.size() ? names[index] :
+                                    "choice " + std::to_string(index);
     };
     return {
       format,
@@ -100,7 +102,7 @@ namespace Sandglass
       {"Material", "Stress rate", choice({"Jaumann"}, material.stress_rate)},
       {"Walls", "Friction angle", to_text(walls.friction_angle)},
       {"Walls", "Tangential penalty", to_text(walls.tangential_penalty)},
-      {"Walls", "Fix bottom corner", on(walls.fix_bottom_corner)},
+      {"Walls", "Fix bottom corner", flag(walls.fix_bottom_corner)},
       {"Walls", "Outlet lip", choice({"floor", "free"}, walls.outlet_lip)},
       {"Particle stage",
        "Density update",

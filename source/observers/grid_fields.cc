@@ -1,5 +1,6 @@
 #include <sandglass/observers/fields.h>
 
+#include <array>
 #include <map>
 
 namespace Sandglass

@@ -9,6 +9,7 @@
 #include <boost/archive/binary_oarchive.hpp>
 
 #include <sstream>
+#include <utility>
 
 namespace Sandglass
 {

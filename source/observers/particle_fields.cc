@@ -1,6 +1,7 @@
 #include <sandglass/observers/fields.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace Sandglass
 {

@@ -12,7 +12,9 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <array>
 #include <fstream>
+#include <type_traits>
 
 namespace Sandglass
 {

@@ -3,6 +3,7 @@
 #include <sandglass/observers/wall_tractions.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <tuple>
 

@@ -204,9 +204,7 @@ namespace Sandglass
                                names[c],
                                DataOut<dim>::type_cell_data);
     data_out.build_patches(grid.mapping);
-    data_out.write_vtu_with_pvtu_record(directory + "/",
-                                        "static",
-                                        numbers::invalid_unsigned_int,
-                                        scene.communicator);
+    data_out.write_vtu_in_parallel(directory + "/static.vtu",
+                                   scene.communicator);
   }
 } // namespace Sandglass

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <map>
+#include <vector>
 
 #include "static_fixture.h"
 
@@ -107,6 +110,73 @@ INSTANTIATE_TEST_SUITE_P(
                    testing::Values(Formulation::plane_strain,
                                    Formulation::axisymmetric),
                    testing::Values(0., 1.1)));
+
+
+
+namespace
+{
+  /// Displacement at the vertices and pressure at the quadrature points of a
+  /// half filled rectangle, in order of their places.
+  std::pair<std::vector<double>, std::vector<double>>
+  results_by_place(const bool turns_empty_cells)
+  {
+    Rectangle rectangle;
+    rectangle.cell_type = CellType::quadrilateral;
+    rectangle.is_filled = [](const Point<2> &p) { return p[1] > 0.5; };
+    Mesh mesh           = rectangle.mesh();
+    for (auto &cell : mesh.cells)
+      if (turns_empty_cells && !cell.is_filled)
+        std::rotate(cell.vertices.begin(),
+                    cell.vertices.begin() + 2,
+                    cell.vertices.end());
+    for (unsigned int i = 0; i < rectangle.n_x; ++i)
+      {
+        const unsigned int first = (rectangle.n_x + 1) * rectangle.n_y / 2 + i;
+        mesh.edges.push_back({{{first, first + 1}}, BoundaryRole::outlet});
+      }
+    StaticFixture fixture;
+    fixture.run(mesh);
+
+    std::map<std::pair<int, int>, double> settlement, pressures;
+    fixture.for_each_cell([&](const auto &cell, const auto &cell_state) {
+      const auto place = [](const Point<2> &p) {
+        return std::make_pair(static_cast<int>(std::lround(1e6 * p[0])),
+                              static_cast<int>(std::lround(1e6 * p[1])));
+      };
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          settlement[place(cell->vertex(v))] = cell_state.displacement[v][1];
+          const Point<2> reference(v % 2 == 0 ? 0.25 : 0.75,
+                                   v / 2 == 0 ? 0.25 : 0.75);
+          pressures[place(fixture.scene->mapping.transform_unit_to_real_cell(
+            cell, reference))] = pressure(cell_state.stress[v]);
+        }
+    });
+    std::pair<std::vector<double>, std::vector<double>> result;
+    for (const auto &entry : settlement)
+      result.first.push_back(entry.second);
+    for (const auto &entry : pressures)
+      result.second.push_back(entry.second);
+    return result;
+  }
+} // namespace
+
+
+
+// The stage works on a grid of its own. Empty cells that are given the other
+// way round make deal.II turn the Scene's filled cells, but not those of that
+// grid.
+TEST(StaticStage, ReturnsResultsInTheOrderOfTheScenesCells)
+{
+  const auto [settlement, pressures]               = results_by_place(false);
+  const auto [turned_settlement, turned_pressures] = results_by_place(true);
+  ASSERT_EQ(settlement.size(), 15u);
+  ASSERT_EQ(pressures.size(), 32u);
+  for (unsigned int i = 0; i < settlement.size(); ++i)
+    EXPECT_NEAR(settlement[i] / 1e-3, turned_settlement[i] / 1e-3, 1e-9);
+  for (unsigned int i = 0; i < pressures.size(); ++i)
+    EXPECT_NEAR(pressures[i] / 1e3, turned_pressures[i] / 1e3, 1e-9);
+}
 
 
 

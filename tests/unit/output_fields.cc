@@ -192,6 +192,21 @@ namespace
 
 
 
+  TEST(VtuFile, piece_of_a_rank_without_particles)
+  {
+    VtuPiece piece;
+    piece.point_fields         = {{"value", 3, std::vector<float>(), {}},
+                                  {"id", 1, std::vector<std::int64_t>(), {}}};
+    const std::string filename = SmallSilo::unique_path() + ".vtu";
+    write_vtu(filename, piece);
+    VtuReader vtu(filename);
+    std::filesystem::remove(filename);
+    EXPECT_EQ(vtu->GetNumberOfPoints(), 0);
+    EXPECT_EQ(vtu.field("value")->GetNumberOfComponents(), 3);
+  }
+
+
+
   TEST(FieldSeries, pvd_lists_all_times)
   {
     const std::string directory = SmallSilo::unique_path();

@@ -7,6 +7,10 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace Sandglass
 {
   /**
@@ -81,7 +85,10 @@ namespace Sandglass
     }
   };
 
-  /// The settings of a run that its checkpoints go with.
+  /**
+   * The settings of a run that its checkpoints go with: all parameters that
+   * change the motion, apart from time steps.
+   */
   std::vector<Checkpoint::Setting>
   checkpoint_settings(const Scene                   &scene,
                       const MaterialParameters      &material,

@@ -65,8 +65,9 @@ namespace Sandglass
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &last_history_step &last_field_step &summary.n_particles &summary
-        .initial_mass &history &particles &grid &wall_tractions;
+      archive &last_history_step &last_field_step;
+      archive &summary.n_particles      &summary.initial_mass;
+      archive &history &particles &grid &wall_tractions;
     }
 
   private:

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <vector>
 
 namespace Sandglass
 {

@@ -35,8 +35,9 @@ namespace Sandglass
     run();
 
     /**
-     * Write the result of run() to static.pvtu and its parts: displacement (m),
-     * the mean stress of each cell (Pa) and its volume ratio. Collective.
+     * Write the result of run() to static.vtu, one file for all ranks:
+     * displacement (m), each cell's mean stress (Pa) and volume ratio.
+     * Collective.
      */
     void
     write_vtu(const std::string &directory) const;
