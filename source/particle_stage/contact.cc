@@ -8,7 +8,8 @@ namespace Sandglass
 {
   Contact::Contact(const Scene &scene, const WallParameters &parameters)
     : friction(parameters.friction_coefficient(),
-               parameters.tangential_penalty)
+               parameters.tangential_penalty,
+               parameters.friction_update)
     , communicator(scene.communicator)
   {
     for (const auto &boundary :
@@ -16,7 +17,7 @@ namespace Sandglass
       {
         if (!scene.nodes->in_local_range(boundary.dof))
           continue;
-        Node node{scene.nodes->global_to_local(boundary.dof), boundary, {}};
+        Node node{scene.nodes->global_to_local(boundary.dof), boundary, {}, 0};
         for (unsigned int s = 0; s < boundary.supports.size(); ++s)
           node.impulse[s] = {boundary.position,
                              boundary.supports[s].role,
@@ -77,7 +78,8 @@ namespace Sandglass
         const double  mass = sum[NodalSum::mass];
         if (mass <= 0.)
           {
-            memories[n] = {};
+            memories[n]  = {};
+            node.holding = 0;
             continue;
           }
 
@@ -91,6 +93,7 @@ namespace Sandglass
 
         const unsigned int holding =
           holding_supports(node.boundary, free_velocity);
+        node.holding = holding;
         Tensor<1, dim> end_velocity =
           held_velocity(node.boundary, holding, free_velocity);
         if (holding == 3 || node.boundary.is_fixed)
@@ -177,10 +180,13 @@ namespace Sandglass
       {
         double              *values = velocity.at(node.index);
         const Tensor<1, dim> free_velocity({values[0], values[1]});
+        // A wall that presses on a node lets it move neither in nor out: were
+        // it free to move away, v^L's noise would pump material off the wall.
+        const unsigned int holding =
+          node.holding != 0 ? node.holding :
+                              holding_supports(node.boundary, free_velocity);
         const Tensor<1, dim> held =
-          held_velocity(node.boundary,
-                        holding_supports(node.boundary, free_velocity),
-                        free_velocity);
+          held_velocity(node.boundary, holding, free_velocity);
         for (unsigned int d = 0; d < dim; ++d)
           values[d] = held[d];
       }

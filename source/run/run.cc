@@ -44,7 +44,9 @@ namespace Sandglass
       const StaticState  state = static_stage.run();
       if (parameters.output.writes_grid)
         static_stage.write_vtu(parameters.output.directory);
-      carry_to_particles(state, stage);
+      carry_to_particles(state,
+                         stage,
+                         parameters.static_stage.displaces_particles);
       return state.wall_forces;
     }
 

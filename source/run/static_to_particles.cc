@@ -19,7 +19,9 @@ namespace Sandglass
 
 
   void
-  carry_to_particles(const StaticState &static_state, ParticleStage &stage)
+  carry_to_particles(const StaticState &static_state,
+                     ParticleStage     &stage,
+                     const bool         displaces_particles)
   {
     const auto &element = *stage.scene.finite_element;
     stage.set_initial_state(
@@ -30,9 +32,10 @@ namespace Sandglass
         ParticleStage::InitialState initial{{},
                                             state.stress[q],
                                             state.volume_ratio[q]};
-        for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
-          initial.displacement +=
-            element.shape_value(i, reference_point) * state.displacement[i];
+        if (displaces_particles)
+          for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
+            initial.displacement +=
+              element.shape_value(i, reference_point) * state.displacement[i];
         return initial;
       });
     stage.contact.start_from(static_state.wall_forces);

@@ -13,6 +13,12 @@ namespace Sandglass
              is_enabled,
              "Find the state at rest first; otherwise the material starts "
              "without stress.");
+    add_flag(*this,
+             "Displace particles",
+             displaces_particles,
+             "Start the particles where the load has moved them (paper), or at "
+             "their places in the undeformed grid, whose cells they then fill "
+             "evenly.");
     add_integer(*this,
                 "Load steps",
                 n_load_steps,

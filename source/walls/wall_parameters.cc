@@ -24,6 +24,14 @@ namespace Sandglass
                Bounds::greater_than(0.),
                "N/m^3",
                "Stiffness c_T of sticking contact per wall area.");
+    add_selection<FrictionUpdate>(
+      *this,
+      "Friction update",
+      friction_update,
+      {{"return mapping", FrictionUpdate::return_mapping},
+       {"velocity sign", FrictionUpdate::velocity_sign}},
+      "How friction follows a node's slip: elastically up to Coulomb's limit, "
+      "or, once it slides, by the sign of its velocity (the paper's rule).");
     add_flag(*this,
              "Fix bottom corner",
              fix_bottom_corner,

@@ -7,12 +7,16 @@ using namespace Sandglass;
 namespace
 {
   // mu N = 3 N; c_T A dt = 0.5 N s / m
-  const CoulombFriction friction(0.3, 1e3);
+  const CoulombFriction return_mapping(0.3, 1e3, FrictionUpdate::return_mapping);
+  const CoulombFriction velocity_sign(0.3, 1e3, FrictionUpdate::velocity_sign);
   constexpr double      normal_force = 10., mass = 2., area = 0.05,
                    time_step = 0.01;
 
   double
-  force(FrictionMemory &memory, const double velocity, const double free_velocity)
+  force(const CoulombFriction &friction,
+        FrictionMemory        &memory,
+        const double           velocity,
+        const double           free_velocity)
   {
     return friction.tangential_force(
       memory, normal_force, velocity, free_velocity, mass, area, time_step);
@@ -22,7 +26,7 @@ namespace
 TEST(Friction, StickingForceSolvesThePenaltyLawAtTheEndOfTheStep)
 {
   FrictionMemory memory{0.7, false};
-  const double   result       = force(memory, 0.1, 0.2);
+  const double   result       = force(return_mapping, memory, 0.1, 0.2);
   const double   end_velocity = 0.2 + time_step * result / mass;
   EXPECT_NEAR(result, 0.7 - 1e3 * area * end_velocity * time_step, 1e-14);
   EXPECT_FALSE(memory.is_sliding);
@@ -32,14 +36,14 @@ TEST(Friction, StickingForceSolvesThePenaltyLawAtTheEndOfTheStep)
 TEST(Friction, SlidesWhereThePenaltyForceExceedsTheLimit)
 {
   FrictionMemory memory{-2.9, false};
-  EXPECT_DOUBLE_EQ(force(memory, 1., 1.), -3.);
+  EXPECT_DOUBLE_EQ(force(return_mapping, memory, 1., 1.), -3.);
   EXPECT_TRUE(memory.is_sliding);
 }
 
 TEST(Friction, SlidingGoesOnWhileTheDirectionStays)
 {
   FrictionMemory memory{-3., true};
-  EXPECT_DOUBLE_EQ(force(memory, 1., 0.5), -3.);
+  EXPECT_DOUBLE_EQ(force(return_mapping, memory, 1., 0.5), -3.);
   EXPECT_TRUE(memory.is_sliding);
 }
 
@@ -47,17 +51,27 @@ TEST(Friction, StopsRatherThanTurnsBack)
 {
   // Sliding friction would turn the node's velocity to -0.005 m/s.
   FrictionMemory memory{-3., true};
-  const double   result       = force(memory, 0.02, 0.01);
+  const double   result       = force(velocity_sign, memory, 0.02, 0.01);
   const double   end_velocity = 0.01 + time_step * result / mass;
   EXPECT_LE(std::abs(result), 3.);
   EXPECT_FALSE(memory.is_sliding);
   EXPECT_NEAR(result, -3. - 1e3 * area * end_velocity * time_step, 1e-14);
 }
 
+// A node that slid down and moves up by next to nothing: its friction goes on
+// from where it was, by the paper's rule it turns round.
+TEST(Friction, IsContinuousWhereTheVelocityTurns)
+{
+  FrictionMemory memory{3., true};
+  EXPECT_NEAR(force(return_mapping, memory, 1e-9, 1e-9), 3., 0.01);
+  memory = {3., true};
+  EXPECT_NEAR(force(velocity_sign, memory, 1e-9, 1e-9), -3., 0.01);
+}
+
 TEST(Friction, VanishesWithoutNormalForce)
 {
   FrictionMemory memory{-1., false};
-  EXPECT_EQ(friction.tangential_force(
+  EXPECT_EQ(return_mapping.tangential_force(
               memory, 0., 1., 1., mass, area, time_step),
             0.);
 }

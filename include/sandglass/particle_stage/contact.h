@@ -101,6 +101,8 @@ namespace Sandglass
       unsigned int               index; ///< in the nodal fields
       BoundaryNode               boundary;
       std::array<WallForce, 2>   impulse; ///< forces times time, in N s
+      /// The supports that held it when apply() was called last.
+      unsigned int               holding = 0;
     };
 
     /// Which of a node's supports hold it: bit k for support k.

@@ -9,11 +9,13 @@ namespace Sandglass
   /**
    * Carry the state at rest to the particles (paper, Section 4.4, step 1): each
    * takes the stress of its element (in quadrilaterals, of the nearest
-   * quadrature point) and moves by the element's displacement on the undeformed
-   * grid. Collective.
+   * quadrature point) and, if `displaces_particles`, moves by the element's
+   * displacement on the undeformed grid. Collective.
    */
   void
-  carry_to_particles(const StaticState &static_state, ParticleStage &stage);
+  carry_to_particles(const StaticState &static_state,
+                     ParticleStage     &stage,
+                     const bool         displaces_particles);
 } // namespace Sandglass
 
 #endif

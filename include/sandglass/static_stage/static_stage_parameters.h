@@ -12,7 +12,9 @@ namespace Sandglass
     StaticStageParameters();
 
     /// Without it, material starts unstressed and undisplaced.
-    bool         is_enabled   = true;
+    bool is_enabled = true;
+    /// Whether particles start from where the load has moved them.
+    bool         displaces_particles = false;
     unsigned int n_load_steps = 5;
     /// Newton stops when the residual is below this share of the weight.
     double       relative_residual  = 1e-10;

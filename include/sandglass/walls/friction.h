@@ -13,6 +13,22 @@ namespace Sandglass
     bool   is_sliding       = false;
   };
 
+  /// How the friction of a sliding node goes on.
+  enum class FrictionUpdate
+  {
+    /**
+     * As from any other state: elastically with the slip, up to Coulomb's limit.
+     */
+    return_mapping,
+    /**
+     * The paper's case I.2: at the limit, against the node's velocity. Where
+     * that velocity is noise around zero, friction turns round by twice the
+     * limit from one step to the next, so material at rest loses its wall
+     * friction.
+     */
+    velocity_sign
+  };
+
   /**
    * The Coulomb law with penalised sticking, for one node and one step (paper,
    * Section 4.2, cases I.1 and I.2), in one tangential direction.
@@ -29,9 +45,12 @@ namespace Sandglass
      * @param coefficient  mu = tan(wall friction angle)
      * @param penalty      c_T in N/m^3
      */
-    CoulombFriction(const double coefficient, const double penalty)
+    CoulombFriction(const double         coefficient,
+                    const double         penalty,
+                    const FrictionUpdate update)
       : coefficient(coefficient)
       , penalty(penalty)
+      , update(update)
     {}
 
     /**
@@ -57,7 +76,8 @@ namespace Sandglass
       const double limit = coefficient * normal_force;
 
       double start_force = memory.tangential_force;
-      if (memory.is_sliding && velocity != 0.)
+      if (update == FrictionUpdate::velocity_sign && memory.is_sliding &&
+          velocity != 0.)
         {
           const double force        = -std::copysign(limit, velocity);
           const double end_velocity = free_velocity + time_step * force / mass;
@@ -79,8 +99,9 @@ namespace Sandglass
     }
 
   private:
-    double coefficient;
-    double penalty;
+    double         coefficient;
+    double         penalty;
+    FrictionUpdate update;
   };
 } // namespace Sandglass
 

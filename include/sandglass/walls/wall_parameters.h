@@ -3,6 +3,8 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <sandglass/walls/friction.h>
+
 namespace Sandglass
 {
   /// Section `Walls`: friction between the material and the silo.
@@ -18,10 +20,11 @@ namespace Sandglass
       free   ///< no nodal contact; particles are held above the wall instead
     };
 
-    double    friction_angle     = 20.; ///< in degrees
-    double    tangential_penalty = 1e7; ///< c_T, in N/m^3
-    bool      fix_bottom_corner  = true;
-    OutletLip outlet_lip         = OutletLip::floor;
+    double         friction_angle     = 20.; ///< in degrees
+    double         tangential_penalty = 1e7; ///< c_T, in N/m^3
+    FrictionUpdate friction_update    = FrictionUpdate::return_mapping;
+    bool           fix_bottom_corner  = true;
+    OutletLip      outlet_lip         = OutletLip::floor;
 
     /// mu = tan(friction angle)
     double

@@ -34,7 +34,9 @@ namespace
                                fixture.walls,
                                static_parameters,
                                log);
-      carry_to_particles(static_stage.run(), *fixture.stage);
+      carry_to_particles(static_stage.run(),
+                         *fixture.stage,
+                         static_parameters.displaces_particles);
     }
 
     BandStress
