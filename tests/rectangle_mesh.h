@@ -18,8 +18,8 @@ struct Rectangle
   Point               lower{0., 0.}, upper{1., 1.};
   unsigned int        n_x = 4, n_y = 4;
   Role left = Role::axis, right = Role::wall, bottom = Role::floor,
-       top                                          = Role::top;
-  std::function<bool(const Point &)> is_filled      = [](const Point &) {
+       top                                     = Role::top;
+  std::function<bool(const Point &)> is_filled = [](const Point &) {
     return true;
   };
   /// Moves an inner vertex; its argument is the regular position.

@@ -3,9 +3,9 @@
 
 #include <sandglass/particle_stage/particle_stage.h>
 
-#include "rectangle_mesh.h"
-
 #include <memory>
+
+#include "rectangle_mesh.h"
 
 /**
  * A particle stage on a hand-made mesh, with all parameters at hand before
@@ -29,9 +29,9 @@ struct StageFixture
   Sandglass::WallParameters          walls;
   Sandglass::ParticleStageParameters parameters;
 
-  Sandglass::Formulation   formulation        = Sandglass::Formulation::plane_strain;
-  unsigned int             particles_per_cell = 4;
-  dealii::Tensor<1, 2>     gravity{{0., -9.81}};
+  Sandglass::Formulation formulation = Sandglass::Formulation::plane_strain;
+  unsigned int           particles_per_cell = 4;
+  dealii::Tensor<1, 2>   gravity{{0., -9.81}};
 
   std::unique_ptr<Sandglass::Scene>         scene;
   std::unique_ptr<Sandglass::ParticleStage> stage;

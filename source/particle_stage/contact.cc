@@ -52,12 +52,11 @@ namespace Sandglass
     for (unsigned int n = 0; n < nodes.size(); ++n)
       for (unsigned int s = 0; s < nodes[n].boundary.supports.size(); ++s)
         {
-          const BoundaryNode &node = nodes[n].boundary;
-          const auto          found =
-            force_at.find({{node.position[0],
-                            node.position[1],
-                            static_cast<double>(
-                              boundary_id(node.supports[s].role))}});
+          const BoundaryNode &node  = nodes[n].boundary;
+          const auto          found = force_at.find(
+            {{node.position[0],
+                       node.position[1],
+                       static_cast<double>(boundary_id(node.supports[s].role))}});
           if (found != force_at.end())
             memories[n][s] = {found->second, false};
         }
@@ -133,9 +132,9 @@ namespace Sandglass
     if (support.role == BoundaryRole::axis)
       return {};
 
-    const Tensor<1, dim> tangent       = wall_tangent(support.normal);
+    const Tensor<1, dim> tangent         = wall_tangent(support.normal);
     const double         free_tangential = free_velocity * tangent;
-    const double         force = friction.tangential_force(memory,
+    const double         force           = friction.tangential_force(memory,
                                                    normal_impulse / time_step,
                                                    velocity * tangent,
                                                    free_tangential,

@@ -46,10 +46,11 @@ namespace Sandglass
     for (const auto &particle : cloud.handler)
       {
         const auto state = particle.get_properties();
-        largest          = std::max(largest,
-                           state[Property::velocity] * state[Property::velocity] +
-                             state[Property::velocity + 1] *
-                               state[Property::velocity + 1]);
+        largest =
+          std::max(largest,
+                   state[Property::velocity] * state[Property::velocity] +
+                     state[Property::velocity + 1] *
+                       state[Property::velocity + 1]);
       }
     return std::sqrt(largest);
   }
@@ -106,8 +107,10 @@ namespace Sandglass
                       const ParticleStageParameters &parameters)
   {
     const auto make = [&](auto setting) {
-      return make_explicit_particle_stage<decltype(setting)>(
-        scene, material, walls, parameters);
+      return make_explicit_particle_stage<decltype(setting)>(scene,
+                                                             material,
+                                                             walls,
+                                                             parameters);
     };
     const bool is_plane = scene.formulation == Formulation::plane_strain;
     if (scene.mesh.cell_type == CellType::triangle)
@@ -115,7 +118,9 @@ namespace Sandglass
                make(Setting<Formulation::plane_strain, CellType::triangle>()) :
                make(Setting<Formulation::axisymmetric, CellType::triangle>());
     return is_plane ?
-             make(Setting<Formulation::plane_strain, CellType::quadrilateral>()) :
-             make(Setting<Formulation::axisymmetric, CellType::quadrilateral>());
+             make(
+               Setting<Formulation::plane_strain, CellType::quadrilateral>()) :
+             make(
+               Setting<Formulation::axisymmetric, CellType::quadrilateral>());
   }
 } // namespace Sandglass

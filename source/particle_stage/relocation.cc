@@ -79,7 +79,8 @@ namespace Sandglass
     using Kind = typename Location::Kind;
 
     const double mass = stray.particle->get_properties()[Property::mass];
-    Location location = geometry.find(stray.particle->get_location(), stray.cell);
+    Location     location =
+      geometry.find(stray.particle->get_location(), stray.cell);
     if (location.kind == Kind::outside && is_held_by_lip(stray, location))
       location = hold_at_wall(stray, location);
 
@@ -134,10 +135,10 @@ namespace Sandglass
   Relocation<cell_type>::hold_at_wall(const Stray    &stray,
                                       const Location &location) const
   {
-    const auto          &shape = geometry.shape(location.cell);
-    const auto          &ends  = Geometry::Shape::face_nodes[location.face];
-    const Point<dim>     start = shape.node(ends[0]);
-    const Tensor<1, dim> edge  = shape.node(ends[1]) - start;
+    const auto          &shape   = geometry.shape(location.cell);
+    const auto          &ends    = Geometry::Shape::face_nodes[location.face];
+    const Point<dim>     start   = shape.node(ends[0]);
+    const Tensor<1, dim> edge    = shape.node(ends[1]) - start;
     const Tensor<1, dim> tangent = edge / edge.norm();
     Tensor<1, dim>       normal({tangent[1], -tangent[0]});
 
@@ -147,13 +148,13 @@ namespace Sandglass
     if (normal * offset < 0.)
       normal *= -1.;
 
-    double             *state = particle->get_properties().data();
+    double              *state = particle->get_properties().data();
     const Tensor<1, dim> velocity(
       {state[Property::velocity], state[Property::velocity + 1]});
     const double into_wall  = std::max(0., velocity * normal);
     const double along_wall = velocity * tangent;
-    const double friction   = std::min(std::abs(along_wall),
-                                     friction_coefficient * into_wall);
+    const double friction =
+      std::min(std::abs(along_wall), friction_coefficient * into_wall);
     const Tensor<1, dim> held_velocity =
       velocity - into_wall * normal -
       std::copysign(friction, along_wall) * tangent;
@@ -183,12 +184,12 @@ namespace Sandglass
             << state[Property::velocity] << ' ' << state[Property::velocity + 1]
             << ") m/s, last in cell " << stray.cell << ", ";
     if (location.kind == Location::Kind::invalid)
-      message << "has a position that is not a number; the run is unstable. Try "
-                 "a smaller Particle stage/Time step (auto follows the critical "
-                 "one) or another Density update.";
+      message
+        << "has a position that is not a number; the run is unstable. Try "
+           "a smaller Particle stage/Time step (auto follows the critical "
+           "one) or another Density update.";
     else
-      message << "has left the grid through the "
-              << name_of(location.role)
+      message << "has left the grid through the " << name_of(location.role)
               << ". Try a smaller Particle stage/Time step, or set On lost "
                  "particle = remove to go on without such particles.";
     fault = message.str();
@@ -211,8 +212,9 @@ namespace Sandglass
     const unsigned int faulty_rank =
       Utilities::MPI::min(fault.empty() ? n_ranks : rank, communicator);
     if (faulty_rank < n_ranks)
-      throw RunError(describe(clock) +
-                     Utilities::MPI::broadcast(communicator, fault, faulty_rank));
+      throw RunError(describe(clock) + Utilities::MPI::broadcast(communicator,
+                                                                 fault,
+                                                                 faulty_rank));
   }
 
 

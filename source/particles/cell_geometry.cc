@@ -52,15 +52,16 @@ namespace Sandglass
 
         // Boundary faces only stop the walk when no inner face is passed: a
         // point around the corner of the outlet lies beyond both.
-        double       farthest_inner = -tolerance, farthest_boundary = -tolerance;
-        unsigned int inner_face = Shape::n_faces, boundary_face = Shape::n_faces;
+        double farthest_inner = -tolerance, farthest_boundary = -tolerance;
+        unsigned int inner_face    = Shape::n_faces,
+                     boundary_face = Shape::n_faces;
         for (unsigned int face = 0; face < Shape::n_faces; ++face)
           {
             const bool is_inner = data.neighbors[face] >= 0;
             double    &farthest = is_inner ? farthest_inner : farthest_boundary;
             if (distances[face] < farthest)
               {
-                farthest = distances[face];
+                farthest                                = distances[face];
                 (is_inner ? inner_face : boundary_face) = face;
               }
           }
@@ -89,9 +90,8 @@ namespace Sandglass
   CellGeometry<cell_type>::find_by_search(const Point<dim> &point) const
   {
     // The cell that comes nearest to holding the point, by its worst face.
-    Location nearest{
-      Location::Kind::outside, 0, point, 0, BoundaryRole::top};
-    double largest = std::numeric_limits<double>::lowest();
+    Location nearest{Location::Kind::outside, 0, point, 0, BoundaryRole::top};
+    double   largest = std::numeric_limits<double>::lowest();
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       {
         const auto distances = cells[cell].shape.walk_distances(point);

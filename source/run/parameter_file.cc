@@ -141,8 +141,8 @@ namespace Sandglass
       }
     catch (const ExceptionBase &exception)
       {
-        throw InputError(filename + ": the file can't be understood: " +
-                         info_of(exception));
+        throw InputError(
+          filename + ": the file can't be understood: " + info_of(exception));
       }
     // The command line overrides the file.
     for (const Entry &entry : entries)

@@ -20,7 +20,8 @@ namespace Sandglass
       for (std::size_t i = 0; i < name.size(); ++i)
         if (name[i] == '_' && i + 2 < name.size())
           {
-            result += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
+            result +=
+              static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
             i += 2;
           }
         else

@@ -82,21 +82,18 @@ namespace Sandglass
                         TimerOutput::wall_times);
     timings.enter_subsection(Timing::set_up);
     const Scene scene = make_scene(parameters.scene, communicator);
-    const std::unique_ptr<ParticleStage> stage =
-      make_particle_stage(scene,
-                          parameters.material,
-                          parameters.walls,
-                          parameters.particle_stage);
+    const std::unique_ptr<ParticleStage> stage = make_particle_stage(
+      scene, parameters.material, parameters.walls, parameters.particle_stage);
     timings.leave_subsection();
 
     std::optional<Checkpoint> checkpoint;
     if (command_line.is_restart)
-      checkpoint = read_checkpoint(parameters.output.directory,
-                                   checkpoint_settings(
-                                     scene,
-                                     parameters.material,
-                                     parameters.walls,
-                                     parameters.particle_stage));
+      checkpoint =
+        read_checkpoint(parameters.output.directory,
+                        checkpoint_settings(scene,
+                                            parameters.material,
+                                            parameters.walls,
+                                            parameters.particle_stage));
 
     prepare_output_directory(parameters.output,
                              command_line.is_restart,

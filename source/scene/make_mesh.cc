@@ -54,8 +54,9 @@ namespace Sandglass
           add_blocks();
         gmsh::model::geo::synchronize();
         for (const auto &[name, lines] : lines_named)
-          gmsh::model::setPhysicalName(
-            1, gmsh::model::addPhysicalGroup(1, lines), name);
+          gmsh::model::setPhysicalName(1,
+                                       gmsh::model::addPhysicalGroup(1, lines),
+                                       name);
         for (const auto &[name, surfaces] : surfaces_named)
           gmsh::model::setPhysicalName(
             2, gmsh::model::addPhysicalGroup(2, surfaces), name);
@@ -129,8 +130,7 @@ namespace Sandglass
       unsigned int
       n_cells_along(const double length) const
       {
-        return std::max(
-          1., std::round(length / parameters.element_size));
+        return std::max(1., std::round(length / parameters.element_size));
       }
 
       /// A surface of n x m quadrilaterals between four lines.
@@ -166,7 +166,7 @@ namespace Sandglass
         const unsigned int n_height = n_cells_along(parameters.wall_height);
 
         const int outlet_axis = point(0., 0.), lip = point(c, 0.);
-        const int outlet = line(outlet_axis, lip, BoundaryRole::outlet);
+        const int outlet   = line(outlet_axis, lip, BoundaryRole::outlet);
         const int axis_top = point(0., h), wall_top = point(a, h);
 
         if (e > 0.)
@@ -314,15 +314,17 @@ namespace Sandglass
               for (std::size_t i = 0; i < nodes.size(); i += 2)
                 mesh.edges.push_back(
                   {{{index_of.at(nodes[i]), index_of.at(nodes[i + 1])}},
-                   static_cast<BoundaryRole>(
-                     role - boundary_role_names.begin() + 1)});
+                   static_cast<BoundaryRole>(role -
+                                             boundary_role_names.begin() + 1)});
             }
           else if (dimension == 2 &&
                    (name == material_group || name == fall_region_group))
             {
-              const unsigned int n     = mesh.vertices_per_cell();
-              const auto         nodes = element_nodes(
-                2, group, n == 3 ? gmsh_triangle : gmsh_quadrangle);
+              const unsigned int n = mesh.vertices_per_cell();
+              const auto         nodes =
+                element_nodes(2,
+                              group,
+                              n == 3 ? gmsh_triangle : gmsh_quadrangle);
               for (std::size_t i = 0; i < nodes.size(); i += n)
                 {
                   Mesh::Cell cell{{{0, 0, 0, 0}}, name == material_group};
@@ -410,10 +412,10 @@ namespace Sandglass
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       try
         {
-          result.first = parameters.shape == SceneParameters::Shape::silo ?
-                           mesh_silo(parameters) :
-                           read_mesh(parameters.mesh_file,
-                                     parameters.cell_type);
+          result.first =
+            parameters.shape == SceneParameters::Shape::silo ?
+              mesh_silo(parameters) :
+              read_mesh(parameters.mesh_file, parameters.cell_type);
           sort_along_curve(result.first);
         }
       catch (const InputError &error)

@@ -48,12 +48,13 @@ namespace Sandglass
              "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top; "
              "physical surfaces material and fall_region. Outlet level at "
              "y = 0.");
-    add_number(*this,
-               "Half width",
-               half_width,
-               Bounds::greater_than(0.),
-               "m",
-               "Half width (plane strain) or radius (axisymmetric) of the silo.");
+    add_number(
+      *this,
+      "Half width",
+      half_width,
+      Bounds::greater_than(0.),
+      "m",
+      "Half width (plane strain) or radius (axisymmetric) of the silo.");
     add_number(*this,
                "Wall height",
                wall_height,
@@ -110,7 +111,13 @@ namespace Sandglass
       *this,
       "Particles per cell",
       particles_per_cell,
-      {{"1", 1}, {"4", 4}, {"9", 9}, {"16", 16}, {"25", 25}, {"36", 36}, {"64", 64}},
+      {{"1", 1},
+       {"4", 4},
+       {"9", 9},
+       {"16", 16},
+       {"25", 25},
+       {"36", 36},
+       {"64", 64}},
       "Material points in each filled cell: the centroids of equal parts into "
       "which the cell's edges are divided.");
     add_selection<bool>(*this,

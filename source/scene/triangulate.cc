@@ -38,7 +38,7 @@ namespace Sandglass
     SubCellData
     make_boundary_lines(const Mesh &mesh)
     {
-      using Edge = std::pair<unsigned int, unsigned int>;
+      using Edge        = std::pair<unsigned int, unsigned int>;
       const auto sorted = [](const unsigned int a, const unsigned int b) {
         return Edge(std::min(a, b), std::max(a, b));
       };
@@ -93,7 +93,7 @@ namespace Sandglass
   {
     std::vector<CellData<dim>> cells = make_cells(mesh);
 
-    const SubCellData          subcell_data = make_boundary_lines(mesh);
+    const SubCellData subcell_data = make_boundary_lines(mesh);
     GridTools::invert_all_negative_measure_cells(mesh.vertices, cells);
     if (mesh.cell_type == CellType::quadrilateral)
       GridTools::consistently_order_cells(cells);

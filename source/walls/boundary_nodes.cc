@@ -89,7 +89,7 @@ namespace Sandglass
             const auto role = static_cast<BoundaryRole>(face->boundary_id());
             for (const unsigned int v : {0u, 1u})
               {
-                auto &node = nodes[face->vertex_dof_index(v, 0)];
+                auto &node    = nodes[face->vertex_dof_index(v, 0)];
                 node.dof      = face->vertex_dof_index(v, 0);
                 node.position = face->vertex(v);
                 if (role == BoundaryRole::fall_side)

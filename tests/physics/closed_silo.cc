@@ -52,8 +52,8 @@ namespace
           std::min<unsigned int>(n_bands * y / top, n_bands - 1);
         const double volume = state[Property::mass] / state[Property::density];
         volumes[band] += volume;
-        sums[band] += volume * Eigen::Map<const SymmetricTensor4>(
-                                 &state[Property::stress]);
+        sums[band] +=
+          volume * Eigen::Map<const SymmetricTensor4>(&state[Property::stress]);
       });
       for (unsigned int band = 0; band < n_bands; ++band)
         sums[band] /= volumes[band];
@@ -67,9 +67,10 @@ namespace
       double mass = 0., energy = 0.;
       fixture.for_each_particle([&](auto, auto &, auto state) {
         mass += state[Property::mass];
-        energy += 0.5 * state[Property::mass] *
-                  (state[Property::velocity] * state[Property::velocity] +
-                   state[Property::velocity + 1] * state[Property::velocity + 1]);
+        energy +=
+          0.5 * state[Property::mass] *
+          (state[Property::velocity] * state[Property::velocity] +
+           state[Property::velocity + 1] * state[Property::velocity + 1]);
       });
       return energy / (mass * 9.81 * scene_parameters.wall_height);
     }
@@ -95,7 +96,7 @@ TEST_P(ClosedSiloTest, StaysAtRest)
     }
   const BandStress after = silo.band_stress();
 
-  const double scale           = 1500. * 9.81 * silo.scene_parameters.wall_height;
+  const double scale = 1500. * 9.81 * silo.scene_parameters.wall_height;
   double       largest_change = 0.;
   for (unsigned int band = 0; band < n_bands; ++band)
     for (unsigned int c = 0; c < 4; ++c)

@@ -24,10 +24,10 @@ namespace
       fixture.walls.friction_angle             = wall_friction_angle;
       fixture.parameters.end_time              = 10.;
       Rectangle rectangle;
-      rectangle.left  = BoundaryRole::wall;
-      rectangle.upper = Point<2>(4., 0.4);
-      rectangle.n_x   = 80;
-      rectangle.n_y   = 8;
+      rectangle.left      = BoundaryRole::wall;
+      rectangle.upper     = Point<2>(4., 0.4);
+      rectangle.n_x       = 80;
+      rectangle.n_y       = 8;
       rectangle.is_filled = [](const Point<2> &center) {
         return center[1] < 0.15 && center[0] - center[1] / 0.3 > 0.5 &&
                center[0] + center[1] / 0.3 < 2.;
@@ -67,8 +67,8 @@ TEST(InclinedPlane, SlidesWithTheAccelerationOfCoulombFriction)
   const double late_velocity  = incline.velocity_at(0.6);
   const double late           = incline.fixture.stage->clock.time;
 
-  const double expected =
-    g * (std::sin(35. * degree) - std::tan(20. * degree) * std::cos(35. * degree));
+  const double expected = g * (std::sin(35. * degree) -
+                               std::tan(20. * degree) * std::cos(35. * degree));
   const double measured = (late_velocity - early_velocity) / (late - early);
   std::cout << "acceleration / expected " << measured / expected << std::endl;
   EXPECT_NEAR(measured / expected, 1., 0.01);
@@ -79,8 +79,8 @@ TEST(InclinedPlane, SticksBelowTheFrictionAngle)
   Incline      incline(15., 20.);
   const double early_velocity = incline.velocity_at(0.3);
   const double late_velocity  = incline.velocity_at(1.3);
-  std::cout << "velocities " << early_velocity << ' ' << late_velocity
-            << " m/s" << std::endl;
+  std::cout << "velocities " << early_velocity << ' ' << late_velocity << " m/s"
+            << std::endl;
   // Free sliding would reach 2.5 m/s.
   EXPECT_NEAR(early_velocity, 0., 0.01);
   EXPECT_NEAR(late_velocity, 0., 0.01);

@@ -1,8 +1,8 @@
+#include <deal.II/base/numbers.h>
+
 #include <sandglass/scene/scene.h>
 #include <sandglass/walls/boundary_nodes.h>
 #include <sandglass/walls/wall_force.h>
-
-#include <deal.II/base/numbers.h>
 
 #include <gtest/gtest.h>
 
@@ -45,10 +45,10 @@ TEST(BoundaryNodes, AreasAddUpToTheWalls)
   EXPECT_NEAR(total_area(plane, BoundaryRole::wall), 2., 1e-14);
   EXPECT_NEAR(total_area(plane, BoundaryRole::floor), 0.5, 1e-14);
 
-  const auto ring = find_boundary_nodes(fixture.scene->dof_handler,
+  const auto   ring = find_boundary_nodes(fixture.scene->dof_handler,
                                         Formulation::axisymmetric,
                                         fixture.walls);
-  const double pi = dealii::numbers::PI;
+  const double pi   = dealii::numbers::PI;
   EXPECT_NEAR(total_area(ring, BoundaryRole::wall), 2. * pi * 0.5 * 2., 1e-13);
   EXPECT_NEAR(total_area(ring, BoundaryRole::floor), pi * 0.25, 1e-13);
 }
@@ -57,7 +57,7 @@ TEST(BoundaryNodes, CornersHaveBothNormals)
 {
   StageFixture fixture;
   fixture.start(Rectangle().mesh());
-  const auto nodes = find_boundary_nodes(fixture.scene->dof_handler,
+  const auto  nodes  = find_boundary_nodes(fixture.scene->dof_handler,
                                          Formulation::plane_strain,
                                          fixture.walls);
   const auto *corner = node_at(nodes, {1., 0.});

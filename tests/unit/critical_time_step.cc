@@ -52,9 +52,9 @@ namespace
 } // namespace
 
 // On an infinite strip with particles at the cells' centres the eigenvalue of
-// the wave number k is (C / h)^2 sin^2(k h), so that the critical step is 2 h/C.
-// With two particles in a row, at the quarter points, it is
-// (C / h)^2 (1 - cos k h) (5 + 3 cos k h) / 4, at most 4/3 (C / h)^2.
+// the wave number k is (C / h)^2 sin^2(k h), so that the critical step is 2
+// h/C. With two particles in a row, at the quarter points, it is (C / h)^2 (1 -
+// cos k h) (5 + 3 cos k h) / 4, at most 4/3 (C / h)^2.
 
 TEST(CriticalTimeStep, OfOneParticleInACell)
 {

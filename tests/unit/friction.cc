@@ -7,10 +7,10 @@ using namespace Sandglass;
 namespace
 {
   // mu N = 3 N; c_T A dt = 0.5 N s / m
-  const CoulombFriction return_mapping(0.3, 1e3, FrictionUpdate::return_mapping);
+  const CoulombFriction
+    return_mapping(0.3, 1e3, FrictionUpdate::return_mapping);
   const CoulombFriction velocity_sign(0.3, 1e3, FrictionUpdate::velocity_sign);
-  constexpr double      normal_force = 10., mass = 2., area = 0.05,
-                   time_step = 0.01;
+  constexpr double normal_force = 10., mass = 2., area = 0.05, time_step = 0.01;
 
   double
   force(const CoulombFriction &friction,
@@ -71,7 +71,7 @@ TEST(Friction, IsContinuousWhereTheVelocityTurns)
 TEST(Friction, VanishesWithoutNormalForce)
 {
   FrictionMemory memory{-1., false};
-  EXPECT_EQ(return_mapping.tangential_force(
-              memory, 0., 1., 1., mass, area, time_step),
-            0.);
+  EXPECT_EQ(
+    return_mapping.tangential_force(memory, 0., 1., 1., mass, area, time_step),
+    0.);
 }

@@ -30,9 +30,15 @@ TEST(TimeStepParameter, ReadsNumbersAndTables)
 TEST(TimeStepParameter, RefusesWhatMakesNoSense)
 {
   StageFixture fixture;
-  for (const std::string text :
-       {"", "fast", "0", "-1e-3", "1e-3 s", "1: 1e-3", "0: 1e-3, 0: 1e-4",
-        "0: 1e-3, 2", "0: 1e-3, 1: 0"})
+  for (const std::string text : {"",
+                                 "fast",
+                                 "0",
+                                 "-1e-3",
+                                 "1e-3 s",
+                                 "1: 1e-3",
+                                 "0: 1e-3, 0: 1e-4",
+                                 "0: 1e-3, 2",
+                                 "0: 1e-3, 1: 0"})
     {
       fixture.parameters.time_step_text = text;
       EXPECT_THROW(fixture.parameters.check(), InputError) << text;
@@ -46,7 +52,7 @@ TEST(TimeStepParameter, TheTableIsFollowedAndTheEndIsMet)
   fixture.parameters.end_time       = 0.0125;
   Rectangle rectangle;
   rectangle.is_filled = [](const Point<2> &center) { return center[1] > 0.5; };
-  auto &stage         = fixture.start(rectangle.mesh());
+  auto               &stage = fixture.start(rectangle.mesh());
   std::vector<double> steps;
   while (!stage.is_finished())
     {

@@ -92,11 +92,11 @@ namespace Sandglass
   /// Declare a parameter with named values; `names` pairs each with its value.
   template <typename Value>
   void
-  add_selection(dealii::ParameterAcceptor                       &section,
-                const std::string                               &name,
-                Value                                           &variable,
+  add_selection(dealii::ParameterAcceptor                        &section,
+                const std::string                                &name,
+                Value                                            &variable,
                 const std::vector<std::pair<std::string, Value>> &names,
-                const std::string                               &documentation)
+                const std::string                                &documentation)
   {
     std::string default_name, all_names;
     for (const auto &[value_name, value] : names)

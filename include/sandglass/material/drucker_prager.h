@@ -60,10 +60,10 @@ namespace Sandglass
     Case
     project(SymmetricTensor4 &stress, double &dissipation) const
     {
-      const double           p = pressure(stress);
-      const SymmetricTensor4 s = deviator(stress);
-      const double q_squared   = 1.5 * double_contraction(s, s);
-      const double q_yield     = yield_slope * p;
+      const double           p         = pressure(stress);
+      const SymmetricTensor4 s         = deviator(stress);
+      const double           q_squared = 1.5 * double_contraction(s, s);
+      const double           q_yield   = yield_slope * p;
 
       if (p > 0.)
         {
@@ -72,8 +72,8 @@ namespace Sandglass
           const double ratio = q_yield / std::sqrt(q_squared);
           stress             = ratio * s - SymmetricTensor4(p, p, p, 0.);
           // The plastic strain increment is (1 - ratio) s / (2 G).
-          dissipation += ratio * (1. - ratio) * q_squared /
-                         (3. * elasticity.shear_modulus);
+          dissipation +=
+            ratio * (1. - ratio) * q_squared / (3. * elasticity.shear_modulus);
           return Case::yielding;
         }
 

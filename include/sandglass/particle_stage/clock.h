@@ -26,8 +26,8 @@ namespace Sandglass
   describe(const Clock &clock)
   {
     std::ostringstream text;
-    text << "Step " << clock.step << ", t = " << clock.time
-         << " s, time step " << clock.time_step << " s: ";
+    text << "Step " << clock.step << ", t = " << clock.time << " s, time step "
+         << clock.time_step << " s: ";
     return text.str();
   }
 } // namespace Sandglass

@@ -58,7 +58,8 @@ namespace Sandglass
     void
     start_from(const std::vector<WallForce> &wall_forces);
 
-    /// Work done against wall friction since the start, in J, this rank's nodes.
+    /// Work done against wall friction since the start, in J, this rank's
+    /// nodes.
     double
     friction_dissipation() const
     {
@@ -98,17 +99,16 @@ namespace Sandglass
   private:
     struct Node
     {
-      unsigned int               index; ///< in the nodal fields
-      BoundaryNode               boundary;
-      std::array<WallForce, 2>   impulse; ///< forces times time, in N s
+      unsigned int             index; ///< in the nodal fields
+      BoundaryNode             boundary;
+      std::array<WallForce, 2> impulse; ///< forces times time, in N s
       /// The supports that held it when apply() was called last.
-      unsigned int               holding = 0;
+      unsigned int holding = 0;
     };
 
     /// Which of a node's supports hold it: bit k for support k.
     static unsigned int
-    holding_supports(const BoundaryNode   &node,
-                     const Tensor<1, dim> &velocity);
+    holding_supports(const BoundaryNode &node, const Tensor<1, dim> &velocity);
 
     /// What is left of a velocity that the given supports hold.
     static Tensor<1, dim>
@@ -118,17 +118,16 @@ namespace Sandglass
 
     /// Friction of the wall `support`, and the record of its impulse.
     Tensor<1, dim>
-    wall_reaction(Node                  &node,
-                  FrictionMemory        &memory,
-                  const unsigned int     support,
-                  const double           mass,
-                  const Tensor<1, dim>  &velocity,
-                  const Tensor<1, dim>  &free_velocity,
-                  const double           time_step);
+    wall_reaction(Node                 &node,
+                  FrictionMemory       &memory,
+                  const unsigned int    support,
+                  const double          mass,
+                  const Tensor<1, dim> &velocity,
+                  const Tensor<1, dim> &free_velocity,
+                  const double          time_step);
 
     void
-    record_normal_impulses(Node                 &node,
-                           const Tensor<1, dim> &impulse) const;
+    record_normal_impulses(Node &node, const Tensor<1, dim> &impulse) const;
 
     const CoulombFriction friction;
     const MPI_Comm        communicator;

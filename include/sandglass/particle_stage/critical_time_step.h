@@ -15,16 +15,16 @@ namespace Sandglass
    * paper's eq. 17 is in one dimension and for one element, for the whole grid.
    *
    * One step takes the nodal velocity from v to v + dt G f with
-   * G = M^-1 M_c M^-1, where M is the lumped mass matrix and M_c = S^T M_d S the
-   * consistent one, which the velocity map of eq. 18 brings in, and f = -K u
-   * with the elastic stiffness K. It is stable for dt^2 lambda <= 4, where
-   * lambda is the largest eigenvalue of G K. A node that loses its mass does not
-   * make lambda grow without bound, as it does without the velocity map.
+   * G = M^-1 M_c M^-1, where M is the lumped mass matrix and M_c = S^T M_d S
+   * the consistent one, which the velocity map of eq. 18 brings in, and f = -K
+   * u with the elastic stiffness K. It is stable for dt^2 lambda <= 4, where
+   * lambda is the largest eigenvalue of G K. A node that loses its mass does
+   * not make lambda grow without bound, as it does without the velocity map.
    *
    * Power iteration finds lambda, with the Rayleigh quotient
-   * (f^T G f) / (u^T f), which is never above it. It starts afresh from the same
-   * random vector each time: the stiffest spot moves, and a restarted run has
-   * to find the same step.
+   * (f^T G f) / (u^T f), which is never above it. It starts afresh from the
+   * same random vector each time: the stiffest spot moves, and a restarted run
+   * has to find the same step.
    *
    * Particles without stress that are less dense than `stiff_share` of the
    * unstressed material are separated; they don't count.
@@ -140,11 +140,10 @@ namespace Sandglass
     double
     stiff_volume(const Particle &particle) const
     {
-      const double *state   = particle.get_properties().data();
-      const double  density = state[Property::density];
-      const bool    is_stiff =
-        density >= smallest_density ||
-        state[Property::stress + Component::yy] != 0.;
+      const double *state    = particle.get_properties().data();
+      const double  density  = state[Property::density];
+      const bool    is_stiff = density >= smallest_density ||
+                            state[Property::stress + Component::yy] != 0.;
       return is_stiff ? state[Property::mass] / density : 0.;
     }
 
@@ -156,15 +155,15 @@ namespace Sandglass
                       const double                    volume,
                       CellValues<dim, n_nodes>       &forces) const
     {
-      const auto   values    = Shape::shape_values(reference);
-      const auto   gradients = shape.shape_gradients(reference);
-      const double hoop =
-        Setting::has_hoop_strain ?
-          interpolate(displacements, values)[0] / radius :
-          0.;
-      const DeformationIncrement deformation(
-        gradient_of(displacements, gradients), hoop);
-      const SymmetricTensor4 stress =
+      const auto                 values    = Shape::shape_values(reference);
+      const auto                 gradients = shape.shape_gradients(reference);
+      const double               hoop      = Setting::has_hoop_strain ?
+                                               interpolate(displacements, values)[0] / radius :
+                                               0.;
+      const DeformationIncrement deformation(gradient_of(displacements,
+                                                         gradients),
+                                             hoop);
+      const SymmetricTensor4     stress =
         volume * elasticity.stress(deformation.strain);
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
@@ -188,7 +187,8 @@ namespace Sandglass
         {
           const double mass = sums.at(node)[NodalSum::mass];
           for (unsigned int d = 0; d < dim; ++d)
-            field.at(node)[d] = mass > 0. ? scale * field.at(node)[d] / mass : 0.;
+            field.at(node)[d] =
+              mass > 0. ? scale * field.at(node)[d] / mass : 0.;
         }
       field.update_ghosts();
     }
@@ -199,29 +199,30 @@ namespace Sandglass
     {
       double energy = 0.;
       mapped_force.start_sum();
-      for_each_filled_cell(
-        cloud,
-        geometry,
-        [this, &energy](const unsigned int,
-                        const Shape &,
-                        const auto &nodes,
-                        const auto &particles) {
-          const auto               accelerations = gather(force, nodes);
-          CellValues<dim, n_nodes> mapped{};
-          for (const auto &particle : particles)
-            {
-              const double mass = particle.get_properties()[Property::mass];
-              const auto   values =
-                Shape::shape_values(particle.get_reference_location());
-              const Tensor<1, dim> acceleration =
-                interpolate(accelerations, values);
-              energy += mass * acceleration.norm_square();
-              for (unsigned int i = 0; i < n_nodes; ++i)
-                for (unsigned int d = 0; d < dim; ++d)
-                  mapped[i][d] += mass * values[i] * acceleration[d];
-            }
-          scatter(mapped, nodes, mapped_force);
-        });
+      for_each_filled_cell(cloud,
+                           geometry,
+                           [this, &energy](const unsigned int,
+                                           const Shape &,
+                                           const auto &nodes,
+                                           const auto &particles) {
+                             const auto accelerations = gather(force, nodes);
+                             CellValues<dim, n_nodes> mapped{};
+                             for (const auto &particle : particles)
+                               {
+                                 const double mass =
+                                   particle.get_properties()[Property::mass];
+                                 const auto values = Shape::shape_values(
+                                   particle.get_reference_location());
+                                 const Tensor<1, dim> acceleration =
+                                   interpolate(accelerations, values);
+                                 energy += mass * acceleration.norm_square();
+                                 for (unsigned int i = 0; i < n_nodes; ++i)
+                                   for (unsigned int d = 0; d < dim; ++d)
+                                     mapped[i][d] +=
+                                       mass * values[i] * acceleration[d];
+                               }
+                             scatter(mapped, nodes, mapped_force);
+                           });
       mapped_force.finish_sum();
       return energy;
     }

@@ -126,7 +126,7 @@ namespace Sandglass
               parcel.cell            = index;
               parcel.id              = n * index + k;
               parcel.reference_point = points[k];
-              parcel.location        = initial_configuration.position(parcel.id);
+              parcel.location = initial_configuration.position(parcel.id);
               parcel.properties[Property::mass] =
                 unstressed_density * initial_configuration.volume(parcel.id);
               parcel.properties[Property::density] = unstressed_density;

@@ -9,24 +9,28 @@ namespace Sandglass
   template <typename Setting>
   std::unique_ptr<ParticleStage>
   make_explicit_particle_stage(const Scene                   &scene,
-                    const MaterialParameters      &material,
-                    const WallParameters          &walls,
-                    const ParticleStageParameters &parameters)
+                               const MaterialParameters      &material,
+                               const WallParameters          &walls,
+                               const ParticleStageParameters &parameters)
   {
     switch (parameters.density_update)
       {
         case DensityUpdate::paper:
           return std::make_unique<
-            ExplicitParticleStage<Setting, DensityUpdate::paper>>(
-            scene, material, walls, parameters);
+            ExplicitParticleStage<Setting, DensityUpdate::paper>>(scene,
+                                                                  material,
+                                                                  walls,
+                                                                  parameters);
         case DensityUpdate::constant:
           return std::make_unique<
             ExplicitParticleStage<Setting, DensityUpdate::constant>>(
             scene, material, walls, parameters);
         case DensityUpdate::floor:
           return std::make_unique<
-            ExplicitParticleStage<Setting, DensityUpdate::floor>>(
-            scene, material, walls, parameters);
+            ExplicitParticleStage<Setting, DensityUpdate::floor>>(scene,
+                                                                  material,
+                                                                  walls,
+                                                                  parameters);
         case DensityUpdate::separation:
           return std::make_unique<
             ExplicitParticleStage<Setting, DensityUpdate::separation>>(

@@ -9,15 +9,15 @@ namespace Sandglass
   /**
    * Steps 2 to 4 of Section 4.4, the sums over particles: lumped nodal mass
    * M_I, nodal momentum S^T M_d V (eq. 11) and nodal internal force R (eq. 9;
-   * axisymmetric with the hoop row N_i / x of B). The gravity force of step 4 is
-   * the nodal mass times gravity and needs no sum of its own.
+   * axisymmetric with the hoop row N_i / x of B). The gravity force of step 4
+   * is the nodal mass times gravity and needs no sum of its own.
    */
   template <typename Setting>
   class NodalSums
   {
   public:
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
-    using Shape      = CellShape<Setting::cell_type>;
+    using Shape                           = CellShape<Setting::cell_type>;
     using SumsOfCell = CellValues<NodalSum::n_components, n_nodes>;
 
     static void
@@ -26,15 +26,16 @@ namespace Sandglass
             NodalField<NodalSum::n_components>     &sums)
     {
       sums.start_sum();
-      for_each_filled_cell(
-        cloud,
-        geometry,
-        [&sums](const unsigned int,
-                const Shape &shape,
-                const auto  &nodes,
-                const auto  &particles) {
-          scatter(sums_of_cell(shape, particles), nodes, sums);
-        });
+      for_each_filled_cell(cloud,
+                           geometry,
+                           [&sums](const unsigned int,
+                                   const Shape &shape,
+                                   const auto  &nodes,
+                                   const auto  &particles) {
+                             scatter(sums_of_cell(shape, particles),
+                                     nodes,
+                                     sums);
+                           });
       sums.finish_sum();
     }
 
@@ -57,9 +58,9 @@ namespace Sandglass
             Eigen::Map<const SymmetricTensor4>(state + Property::stress);
           if constexpr (Setting::has_hoop_strain)
             for (unsigned int i = 0; i < n_nodes; ++i)
-              sums[i][NodalSum::internal_force] +=
-                force_stress[Component::zz] * values[i] /
-                particle.get_location()[0];
+              sums[i][NodalSum::internal_force] += force_stress[Component::zz] *
+                                                   values[i] /
+                                                   particle.get_location()[0];
           if constexpr (Setting::has_constant_gradients)
             integrated_stress += force_stress;
           else
@@ -89,9 +90,9 @@ namespace Sandglass
 
     /// @param stress  times volume, in N m.
     static void
-    add_internal_force(const SymmetricTensor4                     &stress,
+    add_internal_force(const SymmetricTensor4                    &stress,
                        const std::array<Tensor<1, dim>, n_nodes> &gradients,
-                       SumsOfCell                                 &sums)
+                       SumsOfCell                                &sums)
     {
       for (unsigned int i = 0; i < n_nodes; ++i)
         {

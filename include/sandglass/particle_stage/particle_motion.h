@@ -21,9 +21,9 @@ namespace Sandglass
   {
   public:
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
-    using Shape        = CellShape<Setting::cell_type>;
-    using Geometry     = CellGeometry<Setting::cell_type>;
-    using VelocityOfCell = CellValues<dim, n_nodes>;
+    using Shape                           = CellShape<Setting::cell_type>;
+    using Geometry                        = CellGeometry<Setting::cell_type>;
+    using VelocityOfCell                  = CellValues<dim, n_nodes>;
 
     static constexpr double smallest_distance =
       Relocation<Setting::cell_type>::margin;
@@ -78,10 +78,10 @@ namespace Sandglass
       for (auto particle = particles.begin(); particle != particles.end();
            ++particle)
         {
-          const Point<dim> &reference = particle->get_reference_location();
-          const Point<dim>  location  = particle->get_location();
-          const auto        values    = Shape::shape_values(reference);
-          const Tensor<1, dim> velocity = interpolate(velocities, values);
+          const Point<dim>    &reference = particle->get_reference_location();
+          const Point<dim>     location  = particle->get_location();
+          const auto           values    = Shape::shape_values(reference);
+          const Tensor<1, dim> velocity  = interpolate(velocities, values);
 
           if constexpr (!is_uniform)
             common =

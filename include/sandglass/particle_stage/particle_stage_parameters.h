@@ -30,9 +30,9 @@ namespace Sandglass
       remove
     };
 
-    double         end_time = 2.5; ///< in s
-    std::string    time_step_text = "auto";
-    double         time_step_safety = 0.8;
+    double         end_time           = 2.5; ///< in s
+    std::string    time_step_text     = "auto";
+    double         time_step_safety   = 0.8;
     unsigned int   time_step_interval = 20;
     DensityUpdate  density_update     = DensityUpdate::separation;
     OnLostParticle on_lost_particle   = OnLostParticle::stop;

@@ -93,7 +93,8 @@ namespace Sandglass
     const double    friction_coefficient;
     const bool      stops_at_loss;
 
-    /// Whether the cell has the outlet lip's node; empty unless the lip is free.
+    /// Whether the cell has the outlet lip's node; empty unless the lip is
+    /// free.
     std::vector<bool> is_at_free_lip;
 
     std::vector<Departure> departures;

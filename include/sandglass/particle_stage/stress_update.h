@@ -58,9 +58,9 @@ namespace Sandglass
             return;
           }
 
-      SymmetricTensor4 stress =
-        stored_stress + jaumann_rotation(stored_stress, spin) +
-        elastic_increment;
+      SymmetricTensor4 stress = stored_stress +
+                                jaumann_rotation(stored_stress, spin) +
+                                elastic_increment;
       double dissipation_density = 0.;
       law.project(stress, dissipation_density);
       stored_stress = stress;

@@ -21,7 +21,8 @@ namespace Sandglass
    *
    * - shape_values(reference_point): N_i, one per node;
    * - shape_gradients(reference_point): dN_i/dx in 1/m;
-   * - to_reference(point): reference coordinates of a point in or near the cell;
+   * - to_reference(point): reference coordinates of a point in or near the
+   * cell;
    * - to_real(reference_point): its position in m;
    * - node(i): position of node i in m;
    * - jacobian(reference_point): area per reference area, in m^2;
@@ -37,8 +38,8 @@ namespace Sandglass
   class CellShape<CellType::triangle>
   {
   public:
-    static constexpr unsigned int n_nodes = 3;
-    static constexpr unsigned int n_faces = 3;
+    static constexpr unsigned int n_nodes        = 3;
+    static constexpr unsigned int n_faces        = 3;
     static constexpr double       reference_area = 0.5;
 
     /// Nodes at the ends of each face.
@@ -51,11 +52,11 @@ namespace Sandglass
     explicit CellShape(const std::array<Point<dim>, n_nodes> &vertices)
       : origin(vertices[0])
     {
-      const Tensor<1, dim> a   = vertices[1] - vertices[0];
-      const Tensor<1, dim> b   = vertices[2] - vertices[0];
-      determinant              = a[0] * b[1] - a[1] * b[0];
-      gradients[0]             = Tensor<1, dim>{{b[1], -b[0]}} / determinant;
-      gradients[1]             = Tensor<1, dim>{{-a[1], a[0]}} / determinant;
+      const Tensor<1, dim> a = vertices[1] - vertices[0];
+      const Tensor<1, dim> b = vertices[2] - vertices[0];
+      determinant            = a[0] * b[1] - a[1] * b[0];
+      gradients[0]           = Tensor<1, dim>{{b[1], -b[0]}} / determinant;
+      gradients[1]           = Tensor<1, dim>{{-a[1], a[0]}} / determinant;
     }
 
     static std::array<double, n_nodes>
@@ -146,8 +147,8 @@ namespace Sandglass
   class CellShape<CellType::quadrilateral>
   {
   public:
-    static constexpr unsigned int n_nodes = 4;
-    static constexpr unsigned int n_faces = 4;
+    static constexpr unsigned int n_nodes        = 4;
+    static constexpr unsigned int n_faces        = 4;
     static constexpr double       reference_area = 1.;
 
     static constexpr unsigned int face_nodes[n_faces][2] = {{0, 2},

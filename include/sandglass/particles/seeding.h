@@ -33,7 +33,8 @@ namespace Sandglass
     Point<dim>
     position(const types::particle_index id) const
     {
-      return geometry.shape(id / points.size()).to_real(points[id % points.size()]);
+      return geometry.shape(id / points.size())
+        .to_real(points[id % points.size()]);
     }
 
     /**

@@ -36,11 +36,11 @@ namespace Sandglass
      * @param mesh     the same on each rank.
      * @param gravity  in m/s^2.
      */
-    Scene(const Mesh         &mesh,
-          const Formulation   formulation,
-          const unsigned int  particles_per_cell,
+    Scene(const Mesh           &mesh,
+          const Formulation     formulation,
+          const unsigned int    particles_per_cell,
           const Tensor<1, dim> &gravity,
-          const MPI_Comm      communicator);
+          const MPI_Comm        communicator);
 
     const Mesh           mesh;
     const Formulation    formulation;

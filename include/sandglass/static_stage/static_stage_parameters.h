@@ -15,7 +15,7 @@ namespace Sandglass
     bool is_enabled = true;
     /// Whether particles start from where the load has moved them.
     bool         displaces_particles = false;
-    unsigned int n_load_steps = 5;
+    unsigned int n_load_steps        = 5;
     /// Newton stops when the residual is below this share of the weight.
     double       relative_residual  = 1e-10;
     unsigned int maximum_iterations = 100;

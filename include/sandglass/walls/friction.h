@@ -17,7 +17,8 @@ namespace Sandglass
   enum class FrictionUpdate
   {
     /**
-     * As from any other state: elastically with the slip, up to Coulomb's limit.
+     * As from any other state: elastically with the slip, up to Coulomb's
+     * limit.
      */
     return_mapping,
     /**
@@ -89,10 +90,9 @@ namespace Sandglass
           start_force = force;
         }
 
-      const double stiffness = penalty * area * time_step;
-      const double trial_force =
-        (start_force - stiffness * free_velocity) /
-        (1. + stiffness * time_step / mass);
+      const double stiffness   = penalty * area * time_step;
+      const double trial_force = (start_force - stiffness * free_velocity) /
+                                 (1. + stiffness * time_step / mass);
       memory.is_sliding       = std::abs(trial_force) > limit;
       memory.tangential_force = std::clamp(trial_force, -limit, limit);
       return memory.tangential_force;

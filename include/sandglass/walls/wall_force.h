@@ -35,7 +35,7 @@ namespace Sandglass
   wall_tangent(const dealii::Tensor<1, dim> &normal)
   {
     dealii::Tensor<1, dim> tangent{{-normal[1], normal[0]}};
-    const bool points_down = tangent[1] < -1e-12;
+    const bool             points_down = tangent[1] < -1e-12;
     const bool points_left = std::abs(tangent[1]) <= 1e-12 && tangent[0] < 0.;
     return points_down || points_left ? -1. * tangent : tangent;
   }
