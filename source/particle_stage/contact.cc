@@ -10,6 +10,8 @@ namespace Sandglass
     : friction(parameters.friction_coefficient(),
                parameters.tangential_penalty,
                parameters.friction_update)
+    , stops_velocity(parameters.normal_condition ==
+                     WallParameters::NormalCondition::velocity)
     , communicator(scene.communicator)
   {
     for (const auto &boundary :
@@ -90,22 +92,27 @@ namespace Sandglass
             free_velocity[d] = velocity[d] + time_step * node_acceleration[d];
           }
 
-        const unsigned int holding =
-          holding_supports(node.boundary, free_velocity);
-        node.holding = holding;
+        const Tensor<1, dim> approach =
+          stops_velocity ? free_velocity : free_velocity - velocity;
+        const unsigned int holding = holding_supports(node.boundary, approach);
+        node.holding               = holding;
         Tensor<1, dim> end_velocity =
-          held_velocity(node.boundary, holding, free_velocity);
+          free_velocity - approach +
+          held_velocity(node.boundary, holding, approach);
         if (holding == 3 || node.boundary.is_fixed)
           record_normal_impulses(node, mass * (end_velocity - free_velocity));
         for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
           if (holding == 1u << s && !node.boundary.is_fixed)
-            end_velocity += wall_reaction(node,
-                                          memories[n][s],
-                                          s,
-                                          mass,
-                                          velocity,
-                                          free_velocity,
-                                          time_step);
+            end_velocity +=
+              wall_reaction(node,
+                            memories[n][s],
+                            s,
+                            mass,
+                            mass *
+                              (approach * node.boundary.supports[s].normal),
+                            velocity,
+                            free_velocity,
+                            time_step);
           else
             memories[n][s] = {};
 
@@ -121,13 +128,13 @@ namespace Sandglass
                          FrictionMemory       &memory,
                          const unsigned int    support_index,
                          const double          mass,
+                         const double          normal_impulse,
                          const Tensor<1, dim> &velocity,
                          const Tensor<1, dim> &free_velocity,
                          const double          time_step)
   {
-    const NodeSupport &support        = node.boundary.supports[support_index];
-    WallForce         &impulse        = node.impulse[support_index];
-    const double       normal_impulse = mass * (free_velocity * support.normal);
+    const NodeSupport &support = node.boundary.supports[support_index];
+    WallForce         &impulse = node.impulse[support_index];
     impulse.normal_force += normal_impulse;
     if (support.role == BoundaryRole::axis)
       return {};
@@ -189,6 +196,67 @@ namespace Sandglass
         for (unsigned int d = 0; d < dim; ++d)
           values[d] = held[d];
       }
+  }
+
+
+
+  template <typename Holding>
+  void
+  Contact::release(NodalField<dim> &field, const Holding &holding) const
+  {
+    for (const Node &node : nodes)
+      {
+        double              *values = field.at(node.index);
+        const Tensor<1, dim> released =
+          held_velocity(node.boundary,
+                        holding(node),
+                        Tensor<1, dim>({values[0], values[1]}));
+        for (unsigned int d = 0; d < dim; ++d)
+          values[d] = released[d];
+      }
+  }
+
+
+
+  void
+  Contact::release_held(NodalField<dim> &field) const
+  {
+    release(field, [](const Node &node) { return node.holding; });
+  }
+
+
+
+  void
+  Contact::release_always_held(NodalField<dim> &field) const
+  {
+    release(field, [](const Node &node) {
+      unsigned int holding = 0;
+      for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
+        if (node.boundary.supports[s].role == BoundaryRole::axis)
+          holding |= 1u << s;
+      return holding;
+    });
+  }
+
+
+
+  void
+  Contact::add_forces(const NodalField<dim> &forces, const double time_step)
+  {
+    for (Node &node : nodes)
+      if (node.holding != 0)
+        {
+          const double        *values = forces.at(node.index);
+          const Tensor<1, dim> impulse(
+            {time_step * values[0], time_step * values[1]});
+          if (node.holding == 3 || node.boundary.is_fixed)
+            record_normal_impulses(node, impulse);
+          else
+            for (const unsigned int s : {0u, 1u})
+              if (node.holding == 1u << s)
+                node.impulse[s].normal_force -=
+                  impulse * node.boundary.supports[s].normal;
+        }
   }
 
 

@@ -82,7 +82,7 @@ namespace Sandglass
     double step = 0.;
     if (parameters.has_automatic_time_step)
       {
-        if (clock.step % parameters.time_step_interval == 0 ||
+        if (clock.step % parameters.automatic_step_interval() == 0 ||
             automatic_time_step == 0.)
           automatic_time_step =
             parameters.time_step_safety * find_critical_time_step();

@@ -4,6 +4,7 @@
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/particle_stage/particle_stage_parameters.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Sandglass
@@ -39,7 +40,16 @@ namespace Sandglass
                 time_step_interval,
                 1,
                 100000,
-                "Steps after which `auto` finds the critical step anew.");
+                "Steps after which `auto` finds the critical step anew; with a "
+                "consistent mass share alpha (1 - alpha)^2 times as many.");
+    add_number(*this,
+               "Consistent mass share",
+               consistent_mass_share,
+               Bounds::at_least_below(0., 1.),
+               "1",
+               "Share alpha of the consistent mass matrix M in alpha M + (1 - "
+               "alpha) M_I; 0 takes the lumped one, M_I, which needs no "
+               "solver.");
     add_selection<DensityUpdate>(
       *this,
       "Density update",
@@ -67,6 +77,19 @@ namespace Sandglass
                "1",
                "The run stops when a particle is faster than this many times "
                "the free fall from the material's top to the grid's bottom.");
+  }
+
+
+
+  unsigned int
+  ParticleStageParameters::automatic_step_interval() const
+  {
+    // A node that is losing its mass lowers the critical step the faster the
+    // less of it is lumped.
+    const double lumped_share = 1. - consistent_mass_share;
+    return std::max(1u,
+                    static_cast<unsigned int>(time_step_interval *
+                                              lumped_share * lumped_share));
   }
 
 

@@ -24,6 +24,15 @@ namespace Sandglass
                Bounds::greater_than(0.),
                "N/m^3",
                "Stiffness c_T of sticking contact per wall area.");
+    add_selection<NormalCondition>(
+      *this,
+      "Normal condition",
+      normal_condition,
+      {{"velocity", NormalCondition::velocity},
+       {"acceleration", NormalCondition::acceleration}},
+      "What contact makes zero across a wall at its nodes: the velocity at the "
+      "end of the step, or the acceleration (paper), which leaves particles "
+      "near the wall the velocity with which they have come.");
     add_selection<FrictionUpdate>(
       *this,
       "Friction update",

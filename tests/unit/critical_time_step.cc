@@ -15,10 +15,20 @@ namespace
     auto &stage          = *fixture.stage;
     stage.critical_time_step(); // makes the nodal sums
     const CellGeometry<CellType::quadrilateral> geometry(*fixture.scene);
+    MassMatrix<Quadrilaterals>                  mass_matrix(
+      *fixture.scene->nodes,
+      geometry,
+      fixture.parameters.consistent_mass_share);
+    mass_matrix.assemble(stage.cloud, stage.fields.sums);
     return CriticalTimeStep<Quadrilaterals>(fixture.material.elasticity(),
                                             fixture.material.density,
                                             *fixture.scene)
-      .compute(stage.cloud, geometry, stage.fields.sums, 600);
+      .compute(stage.cloud,
+               geometry,
+               mass_matrix,
+               stage.contact,
+               stage.fields.sums,
+               600);
   }
 
   /// Critical step, times wave speed over element size, of a strip of squares

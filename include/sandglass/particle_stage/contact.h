@@ -58,6 +58,25 @@ namespace Sandglass
     void
     start_from(const std::vector<WallForce> &wall_forces);
 
+    /**
+     * Set to zero what a nodal field has in the directions in which apply() has
+     * found a wall to hold a node.
+     */
+    void
+    release_held(NodalField<dim> &field) const;
+
+    /// As release_held(), where the axis or a fixed corner holds a node for
+    /// ever.
+    void
+    release_always_held(NodalField<dim> &field) const;
+
+    /**
+     * Add to the forces of the step for which apply() was called last those
+     * that hold its nodes beyond what it has found, in N.
+     */
+    void
+    add_forces(const NodalField<dim> &forces, const double time_step);
+
     /// Work done against wall friction since the start, in J, this rank's
     /// nodes.
     double
@@ -106,6 +125,11 @@ namespace Sandglass
       unsigned int holding = 0;
     };
 
+    /// Set to zero what `holding(node)` holds of a nodal field.
+    template <typename Holding>
+    void
+    release(NodalField<dim> &field, const Holding &holding) const;
+
     /// Which of a node's supports hold it: bit k for support k.
     static unsigned int
     holding_supports(const BoundaryNode &node, const Tensor<1, dim> &velocity);
@@ -122,6 +146,7 @@ namespace Sandglass
                   FrictionMemory       &memory,
                   const unsigned int    support,
                   const double          mass,
+                  const double          normal_impulse,
                   const Tensor<1, dim> &velocity,
                   const Tensor<1, dim> &free_velocity,
                   const double          time_step);
@@ -130,6 +155,7 @@ namespace Sandglass
     record_normal_impulses(Node &node, const Tensor<1, dim> &impulse) const;
 
     const CoulombFriction friction;
+    const bool            stops_velocity; ///< or else only acceleration
     const MPI_Comm        communicator;
     std::vector<Node>     nodes;
     double                dissipation = 0.;

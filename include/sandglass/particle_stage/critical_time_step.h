@@ -4,7 +4,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/material/elasticity.h>
+#include <sandglass/particle_stage/contact.h>
 #include <sandglass/particle_stage/deformation.h>
+#include <sandglass/particle_stage/mass_matrix.h>
 #include <sandglass/particle_stage/random_nodal_field.h>
 #include <sandglass/scene/scene.h>
 
@@ -15,11 +17,12 @@ namespace Sandglass
    * paper's eq. 17 is in one dimension and for one element, for the whole grid.
    *
    * One step takes the nodal velocity from v to v + dt G f with
-   * G = M^-1 M_c M^-1, where M is the lumped mass matrix and M_c = S^T M_d S
+   * G = M^-1 M_c M^-1, where M is the mass matrix M_alpha and M_c = S^T M_d S
    * the consistent one, which the velocity map of eq. 18 brings in, and f = -K
    * u with the elastic stiffness K. It is stable for dt^2 lambda <= 4, where
-   * lambda is the largest eigenvalue of G K. A node that loses its mass does
-   * not make lambda grow without bound, as it does without the velocity map.
+   * lambda is the largest eigenvalue of G K. With the lumped matrix a node that
+   * loses its mass does not make lambda grow without bound, as it does without
+   * the velocity map.
    *
    * Power iteration finds lambda, with the Rayleigh quotient
    * (f^T G f) / (u^T f), which is never above it. It starts afresh from the
@@ -58,19 +61,23 @@ namespace Sandglass
     }
 
     /**
-     * @param sums  of the particles' present positions; only masses are used.
+     * @param mass_matrix  assembled for the particles' present positions.
+     * @param contact      walls may let a node go, the axis and corners don't.
+     * @param sums         of these positions; only masses are used.
      * @return the critical step in s, infinity if nothing is stiff. Collective.
      */
     double
     compute(ParticleCloud                            &cloud,
             const Geometry                           &geometry,
+            MassMatrix<Setting>                      &mass_matrix,
+            const Contact                            &contact,
             const NodalField<NodalSum::n_components> &sums,
             const unsigned int                        n_iterations)
     {
       direction         = random_direction;
       double eigenvalue = 0.;
       for (unsigned int i = 0; i < n_iterations; ++i)
-        eigenvalue = iterate(cloud, geometry, sums);
+        eigenvalue = iterate(cloud, geometry, mass_matrix, contact, sums);
       return 2. / std::sqrt(eigenvalue);
     }
 
@@ -79,10 +86,12 @@ namespace Sandglass
     double
     iterate(ParticleCloud                            &cloud,
             const Geometry                           &geometry,
+            MassMatrix<Setting>                      &mass_matrix,
+            const Contact                            &contact,
             const NodalField<NodalSum::n_components> &sums)
     {
       const double energy = apply_stiffness(cloud, geometry);
-      scale_by_mass(sums, 1., force);
+      accelerate(mass_matrix, contact, sums, force);
       const double mapped_energy = apply_consistent_mass(cloud, geometry);
 
       const Tensor<1, 2> totals =
@@ -91,9 +100,27 @@ namespace Sandglass
       if (!(totals[0] > 0.) || !(totals[1] > 0.))
         return 0.; // nothing is stiff
       // Keeps the eigenvector's size.
-      scale_by_mass(sums, totals[0] / totals[1], mapped_force);
+      mapped_force.vector() *= totals[0] / totals[1];
+      accelerate(mass_matrix, contact, sums, mapped_force);
       std::swap(direction, mapped_force);
       return totals[1] / totals[0];
+    }
+
+    /// field = M^-1 field where nodes may move, ghosts updated.
+    void
+    accelerate(MassMatrix<Setting>                      &mass_matrix,
+               const Contact                            &contact,
+               const NodalField<NodalSum::n_components> &sums,
+               NodalField<dim>                          &field) const
+    {
+      const auto release = [&contact](NodalField<dim> &values) {
+        contact.release_always_held(values);
+      };
+      release(field);
+      mass_matrix.solve_lumped(sums, field);
+      if (!mass_matrix.is_lumped())
+        mass_matrix.solve_held(sums, release, field);
+      field.update_ghosts();
     }
 
     /// force = K direction; returns this rank's share of u^T K u.
@@ -174,23 +201,6 @@ namespace Sandglass
           if constexpr (Setting::has_hoop_strain)
             forces[i][0] += stress[Component::zz] * values[i] / radius;
         }
-    }
-
-    /// field = scale M^-1 field, ghosts updated.
-    void
-    scale_by_mass(const NodalField<NodalSum::n_components> &sums,
-                  const double                              scale,
-                  NodalField<dim>                          &field) const
-    {
-      for (unsigned int node = 0; node < scene.nodes->locally_owned_size();
-           ++node)
-        {
-          const double mass = sums.at(node)[NodalSum::mass];
-          for (unsigned int d = 0; d < dim; ++d)
-            field.at(node)[d] =
-              mass > 0. ? scale * field.at(node)[d] / mass : 0.;
-        }
-      field.update_ghosts();
     }
 
     /// mapped_force = M_c force; returns this rank's share of f^T M_c f.

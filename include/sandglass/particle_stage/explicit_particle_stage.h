@@ -22,6 +22,7 @@ namespace Sandglass
       , initial_configuration(scene, geometry)
       , unstressed_density(material.density)
       , stress_update(material.drucker_prager(), material.density)
+      , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , critical(material.elasticity(), material.density, scene)
       , relocation(scene, geometry, walls, parameters)
     {
@@ -34,10 +35,17 @@ namespace Sandglass
       timer.start();
       // Steps 2 to 4: sums over the particles
       NodalSums<Setting>::compute(cloud, geometry, fields.sums);
+      mass_matrix.assemble(cloud, fields.sums);
       clock.time_step = choose_time_step();
+      // Step 2: nodal velocity
+      solve_velocity(fields, *scene.nodes, mass_matrix);
       // Steps 4 and 5: contact and nodal acceleration
-      solve_acceleration(
-        fields, *scene.nodes, contact, scene.gravity, clock.time_step);
+      solve_acceleration(fields,
+                         *scene.nodes,
+                         mass_matrix,
+                         contact,
+                         scene.gravity,
+                         clock.time_step);
       // Step 6, and the sums of step 7
       update_particle_velocity<Setting>(cloud,
                                         geometry,
@@ -45,7 +53,7 @@ namespace Sandglass
                                         clock.time_step,
                                         fields.mapped_velocity);
       // Step 7: the velocity that deforms and moves the particles
-      solve_mapped_velocity(fields, *scene.nodes, contact);
+      solve_mapped_velocity(fields, mass_matrix, contact);
       // Steps 8 and 9: stress, density and position
       strays.clear();
       plastic_dissipation +=
@@ -64,6 +72,7 @@ namespace Sandglass
     critical_time_step() override
     {
       NodalSums<Setting>::compute(cloud, geometry, fields.sums);
+      mass_matrix.assemble(cloud, fields.sums);
       return find_critical_time_step();
     }
 
@@ -141,13 +150,15 @@ namespace Sandglass
     {
       // Within a few per cent of the eigenvalue; the safety factor covers them.
       constexpr unsigned int n_iterations = 10;
-      return critical.compute(cloud, geometry, fields.sums, n_iterations);
+      return critical.compute(
+        cloud, geometry, mass_matrix, contact, fields.sums, n_iterations);
     }
 
     const CellGeometry<Setting::cell_type>         geometry;
     const InitialConfiguration<Setting::cell_type> initial_configuration;
     const double                                   unstressed_density;
     const StressUpdate<density_update>             stress_update;
+    MassMatrix<Setting>                            mass_matrix;
     CriticalTimeStep<Setting>                      critical;
     Relocation<Setting::cell_type>                 relocation;
 

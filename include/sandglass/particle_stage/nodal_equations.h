@@ -2,20 +2,53 @@
 #define sandglass_particle_stage_nodal_equations_h
 
 #include <sandglass/particle_stage/contact.h>
+#include <sandglass/particle_stage/mass_matrix.h>
 #include <sandglass/particle_stage/nodal_fields.h>
 
 namespace Sandglass
 {
   /**
-   * Steps 4 and 5 of Section 4.4: the nodal accelerations of M a = F + F_c - R
-   * with the lumped mass matrix. Nodes without mass get none.
+   * Step 2 of Section 4.4: v of M v = S^T M_d V (eq. 11). What contact needs of
+   * it is put back into fields.sums as momentum M_I v, which with the lumped
+   * matrix is there already.
+   */
+  template <typename Setting>
+  void
+  solve_velocity(NodalFields                       &fields,
+                 const Utilities::MPI::Partitioner &nodes,
+                 MassMatrix<Setting>               &mass_matrix)
+  {
+    if (mass_matrix.is_lumped())
+      return;
+    NodalField<dim> &velocity = fields.mapped_velocity; // not yet in use
+    for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        velocity.at(node)[d] = fields.sums.at(node)[NodalSum::momentum + d];
+    mass_matrix.solve(fields.sums, velocity);
+    for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
+      {
+        double *sums = fields.sums.at(node);
+        for (unsigned int d = 0; d < dim; ++d)
+          sums[NodalSum::momentum + d] =
+            sums[NodalSum::mass] * velocity.at(node)[d];
+      }
+  }
+
+
+
+  /**
+   * Steps 4 and 5 of Section 4.4: the nodal accelerations of M a = F + F_c - R.
+   * Contact finds which nodes a wall holds, and the friction, with the lumped
+   * matrix. Nodes without mass get no acceleration.
    *
    * @param gravity    in m/s^2, so that F = M gravity.
    * @param time_step  in s.
    */
-  inline void
+  template <typename Setting>
+  void
   solve_acceleration(NodalFields                       &fields,
                      const Utilities::MPI::Partitioner &nodes,
+                     MassMatrix<Setting>               &mass_matrix,
                      Contact                           &contact,
                      const Tensor<1, dim>              &gravity,
                      const double                       time_step)
@@ -30,6 +63,14 @@ namespace Sandglass
                         0.;
       }
     contact.apply(fields.sums, time_step, fields.acceleration);
+    if (!mass_matrix.is_lumped())
+      contact.add_forces(mass_matrix.solve_held(
+                           fields.sums,
+                           [&contact](NodalField<dim> &field) {
+                             contact.release_held(field);
+                           },
+                           fields.acceleration),
+                         time_step);
     fields.acceleration.update_ghosts();
   }
 
@@ -39,21 +80,22 @@ namespace Sandglass
    * Step 7 of Section 4.4: v^L of M v^L = S^T M_d V (eq. 18) from the momentum
    * that fields.mapped_velocity holds, kept inside the walls.
    */
-  inline void
-  solve_mapped_velocity(NodalFields                       &fields,
-                        const Utilities::MPI::Partitioner &nodes,
-                        const Contact                     &contact)
+  template <typename Setting>
+  void
+  solve_mapped_velocity(NodalFields         &fields,
+                        MassMatrix<Setting> &mass_matrix,
+                        const Contact       &contact)
   {
-    for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
-      {
-        const double mass = fields.sums.at(node)[NodalSum::mass];
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            double &value = fields.mapped_velocity.at(node)[d];
-            value         = mass > 0. ? value / mass : 0.;
-          }
-      }
+    mass_matrix.solve_lumped(fields.sums, fields.mapped_velocity);
     contact.constrain(fields.mapped_velocity);
+    if (!mass_matrix.is_lumped())
+      {
+        mass_matrix.solve_held(
+          fields.sums,
+          [&contact](NodalField<dim> &field) { contact.release_held(field); },
+          fields.mapped_velocity);
+        contact.constrain(fields.mapped_velocity);
+      }
     fields.mapped_velocity.update_ghosts();
   }
 } // namespace Sandglass

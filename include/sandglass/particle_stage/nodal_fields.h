@@ -19,6 +19,8 @@ namespace Sandglass
   class NodalField
   {
   public:
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
     /// @param nodes  which nodes this rank owns and which are ghosts.
     explicit NodalField(const Utilities::MPI::Partitioner &nodes)
     {
@@ -71,8 +73,16 @@ namespace Sandglass
       values.update_ghost_values();
     }
 
+    /// The same as a vector with n_components entries a node, for deal.II's
+    /// solvers.
+    Vector &
+    vector()
+    {
+      return values;
+    }
+
   private:
-    LinearAlgebra::distributed::Vector<double> values;
+    Vector values;
   };
 
 

@@ -30,13 +30,19 @@ namespace Sandglass
       remove
     };
 
-    double         end_time           = 2.5; ///< in s
-    std::string    time_step_text     = "auto";
-    double         time_step_safety   = 0.8;
-    unsigned int   time_step_interval = 20;
-    DensityUpdate  density_update     = DensityUpdate::separation;
-    OnLostParticle on_lost_particle   = OnLostParticle::stop;
-    double         largest_speed      = 10.;
+    double       end_time           = 2.5; ///< in s
+    std::string  time_step_text     = "auto";
+    double       time_step_safety   = 0.8;
+    unsigned int time_step_interval = 20;
+    /// alpha of the mass matrix alpha M + (1 - alpha) M_I (Section 3)
+    double consistent_mass_share = 0.;
+
+    /// Steps after which the automatic step is found anew.
+    unsigned int
+                   automatic_step_interval() const;
+    DensityUpdate  density_update   = DensityUpdate::separation;
+    OnLostParticle on_lost_particle = OnLostParticle::stop;
+    double         largest_speed    = 10.;
 
     /// Whether the step follows the critical step instead of a table.
     bool has_automatic_time_step = true;

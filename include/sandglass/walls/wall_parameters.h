@@ -13,6 +13,13 @@ namespace Sandglass
   public:
     WallParameters();
 
+    /// What contact makes zero in the direction of a wall's normal.
+    enum class NormalCondition
+    {
+      velocity,    ///< at the end of the step: what hits a wall stops
+      acceleration ///< as in the paper: contact leaves the velocity as it is
+    };
+
     /// What the material feels at the node on the edge of the outlet.
     enum class OutletLip
     {
@@ -20,11 +27,12 @@ namespace Sandglass
       free   ///< no nodal contact; particles are held above the wall instead
     };
 
-    double         friction_angle     = 20.; ///< in degrees
-    double         tangential_penalty = 1e7; ///< c_T, in N/m^3
-    FrictionUpdate friction_update    = FrictionUpdate::return_mapping;
-    bool           fix_bottom_corner  = true;
-    OutletLip      outlet_lip         = OutletLip::floor;
+    double          friction_angle     = 20.; ///< in degrees
+    double          tangential_penalty = 1e7; ///< c_T, in N/m^3
+    NormalCondition normal_condition   = NormalCondition::velocity;
+    FrictionUpdate  friction_update    = FrictionUpdate::return_mapping;
+    bool            fix_bottom_corner  = true;
+    OutletLip       outlet_lip         = OutletLip::floor;
 
     /// mu = tan(friction angle)
     double
