@@ -111,3 +111,19 @@ TEST(CriticalTimeStep, DoesNotVanishNextToTheAxis)
             << std::endl;
   EXPECT_NEAR(after / before, 1., 0.2);
 }
+
+// Separated material is not stiff, but may be so again before the next look.
+TEST(CriticalTimeStep, AutomaticStepIsNotLongerThanAsSeeded)
+{
+  StageFixture fixture;
+  auto        &stage  = fixture.start(Rectangle().mesh());
+  const double seeded = stage.critical_time_step();
+  fixture.for_each_particle(
+    [](auto, auto, auto state) { state[Property::density] = 1000.; });
+  EXPECT_EQ(stage.critical_time_step(),
+            std::numeric_limits<double>::infinity());
+  stage.step();
+  EXPECT_NEAR(stage.clock.time_step / seeded,
+              fixture.parameters.time_step_safety,
+              1e-12);
+}
