@@ -186,13 +186,13 @@ namespace Sandglass
       {
         double              *values = velocity.at(node.index);
         const Tensor<1, dim> free_velocity({values[0], values[1]});
-        // A wall that presses on a node lets it move neither in nor out: were
-        // it free to move away, v^L's noise would pump material off the wall.
+        // A wall that presses lets a node move neither in nor out, or v^L's
+        // noise would pump material off it. The other one lets nothing in.
+        const auto pressed_velocity =
+          held_velocity(node.boundary, node.holding, free_velocity);
         const unsigned int holding =
-          node.holding != 0 ? node.holding :
-                              holding_supports(node.boundary, free_velocity);
-        const Tensor<1, dim> held =
-          held_velocity(node.boundary, holding, free_velocity);
+          node.holding | holding_supports(node.boundary, pressed_velocity);
+        const auto held = held_velocity(node.boundary, holding, free_velocity);
         for (unsigned int d = 0; d < dim; ++d)
           values[d] = held[d];
       }

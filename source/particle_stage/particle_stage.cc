@@ -85,7 +85,8 @@ namespace Sandglass
         if (clock.step % parameters.automatic_step_interval() == 0 ||
             automatic_time_step == 0.)
           automatic_time_step =
-            parameters.time_step_safety * find_critical_time_step();
+            parameters.time_step_safety *
+            std::min(find_critical_time_step(), seeded_critical_time_step);
         step = automatic_time_step;
       }
     else

@@ -111,6 +111,10 @@ namespace Sandglass
   {
     const Point<dim> reference_point =
       Geometry::Shape::clamp(location.reference_point, margin);
+    // The position follows: on the axis a particle would have no radius.
+    if (reference_point != location.reference_point)
+      ParticleIterator(stray.particle)
+        ->set_location(geometry.shape(location.cell).to_real(reference_point));
     if (location.cell == stray.cell)
       ParticleIterator(stray.particle)->set_reference_location(reference_point);
     else

@@ -27,6 +27,7 @@ namespace Sandglass
       , relocation(scene, geometry, walls, parameters)
     {
       seed_particles();
+      seeded_critical_time_step = critical_time_step();
     }
 
     void

@@ -14,6 +14,7 @@
 #include <sandglass/walls/wall_parameters.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace Sandglass
@@ -109,6 +110,14 @@ namespace Sandglass
 
     /// In m/s.
     double speed_limit;
+
+    /**
+     * Critical step of the material as it is seeded, in s. The automatic step
+     * is not based on a longer one: where little material is left, most of it
+     * separated, the critical step is long or infinite, but falls within a few
+     * steps when that material comes together again.
+     */
+    double seeded_critical_time_step = std::numeric_limits<double>::infinity();
   };
 
   /// A particle stage with its particles seeded, unstressed and at rest.
