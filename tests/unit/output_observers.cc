@@ -25,7 +25,9 @@ namespace
 
   const std::string wall_traction_header =
     "time_s,wall,arc_length_m,x_m,y_m,normal_Pa,tangential_Pa,"
-    "janssen_normal_Pa";
+    "janssen_normal_Pa,side,en_1991_4_filling_normal_Pa,"
+    "en_1991_4_filling_tangential_Pa,en_1991_4_discharge_normal_Pa,"
+    "en_1991_4_discharge_tangential_Pa";
 
   boost::property_tree::ptree
   read_json(const std::string &filename)
