@@ -106,6 +106,11 @@ namespace Sandglass
       unsigned int holding = 0;
     };
 
+    /// Take away what the momentum of the material's mirror image beyond the
+    /// axis cancels, so that half a silo moves like the whole.
+    static void
+    cancel_by_image(const BoundaryNode &node, Tensor<1, dim> &velocity);
+
     /// Which of a node's supports hold it: bit k for support k.
     static unsigned int
     holding_supports(const BoundaryNode &node, const Tensor<1, dim> &velocity);
