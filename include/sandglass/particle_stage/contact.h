@@ -73,6 +73,16 @@ namespace Sandglass
     std::vector<WallForce>
     take_mean_forces();
 
+    /// Area of wall in m^2 (plane: per m of depth) of this rank's nodes.
+    struct WallArea
+    {
+      double touching; ///< where a wall held the material in the last step
+      double sliding;  ///< the part of it where the material slid
+    };
+
+    WallArea
+    wall_area() const;
+
     /// The friction memory of each support, for checkpoints; see node_dofs().
     std::vector<std::array<FrictionMemory, 2>> memories;
 
