@@ -140,8 +140,7 @@ namespace Sandglass
   {
     log.record_error(message);
     if (is_writer)
-      replace_file(parameters.directory + "/summary.json",
-                   summary.to_json("failed", message, timings));
+      write_summary_file("failed", message);
   }
 
 
@@ -163,9 +162,8 @@ namespace Sandglass
   void
   Observers::update_summary(const Clock &clock, const ParticleTotals &totals)
   {
-    summary.clock             = clock;
-    summary.totals            = totals;
-    summary.flow_rate_plateau = history.flow_rate_plateau();
+    summary.clock       = clock;
+    summary.totals      = totals;
     summary.peak_memory = Utilities::MPI::sum(peak_memory(), communicator);
   }
 
@@ -178,9 +176,10 @@ namespace Sandglass
     last_history_step = stage.clock.step;
 
     const ParticleTotals totals(stage, material.elasticity());
+    const FlowPattern    pattern(stage, history.stagnant_displacement());
     const double         critical_time_step = stage.critical_time_step();
     do_and_share_errors(communicator, [&]() {
-      history.observe(stage.clock, critical_time_step, totals);
+      history.observe(stage.clock, critical_time_step, totals, pattern);
     });
     update_summary(stage.clock, totals);
   }
@@ -250,8 +249,20 @@ namespace Sandglass
   {
     do_and_share_errors(communicator, [&]() {
       if (is_writer)
-        replace_file(parameters.directory + "/summary.json",
-                     summary.to_json(status, "", timings));
+        write_summary_file(status, "");
     });
+  }
+
+
+
+  void
+  Observers::write_summary_file(const std::string &status,
+                                const std::string &message) const
+  {
+    Summary complete = summary;
+    if (complete.has_flow_rate)
+      complete.flow = history.flow_summary();
+    replace_file(parameters.directory + "/summary.json",
+                 complete.to_json(status, message, timings));
   }
 } // namespace Sandglass

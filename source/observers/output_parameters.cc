@@ -50,6 +50,15 @@ namespace Sandglass
                "Ratio K of horizontal to vertical pressure in Janssen's "
                "formula; 0 takes K = 1.1 (1 - sin(phi)) of EN 1991-4, with the "
                "internal friction angle phi.");
+    add_number(
+      *this,
+      "Stagnant displacement",
+      stagnant_displacement,
+      Bounds::at_least(0.),
+      "outlet widths",
+      "Material in the silo that is at most this far from where it was "
+      "before the static stage counts as stagnant in history.csv; 0 "
+      "leaves that column out.");
     add_number(*this,
                "Progress interval",
                progress_interval,

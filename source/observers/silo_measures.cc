@@ -1,6 +1,7 @@
 #include <sandglass/observers/silo_measures.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Sandglass
@@ -31,6 +32,12 @@ namespace Sandglass
       static constexpr double infinity =
         std::numeric_limits<double>::infinity();
 
+      double
+      middle() const
+      {
+        return (lower[0] + upper[0]) / 2.;
+      }
+
       Point<dim> lower{infinity, infinity}, upper{-infinity, -infinity};
     };
 
@@ -45,6 +52,27 @@ namespace Sandglass
       return has_axis ? 2. * extent.upper[0] :
                         extent.upper[0] - extent.lower[0];
     }
+
+
+
+    /// |dx / dy| of the hopper's edges, or NaN where they differ.
+    double
+    common_slope(const Mesh &mesh)
+    {
+      double slope = std::numeric_limits<double>::quiet_NaN();
+      for (const auto &edge : mesh.edges)
+        if (edge.role == BoundaryRole::hopper)
+          {
+            const Tensor<1, dim> along =
+              mesh.vertices[edge.vertices[1]] - mesh.vertices[edge.vertices[0]];
+            const double of_edge = std::abs(along[0] / along[1]);
+            if (std::isnan(slope))
+              slope = of_edge;
+            if (!(std::abs(of_edge - slope) <= 1e-6 * slope))
+              return std::numeric_limits<double>::quiet_NaN();
+          }
+      return slope;
+    }
   } // namespace
 
 
@@ -57,14 +85,29 @@ namespace Sandglass
   {
     const Extent outlet(scene.mesh, BoundaryRole::outlet);
     const Extent wall(scene.mesh, BoundaryRole::wall);
+    const Extent hopper(scene.mesh, BoundaryRole::hopper);
     const bool   has_axis = !Extent(scene.mesh, BoundaryRole::axis).is_empty();
 
     outlet_width = whole_width(outlet, has_axis);
     wall_width   = whole_width(wall, has_axis);
     wall_foot    = wall.lower[1];
 
-    const double middle =
-      has_axis || wall.is_empty() ? 0. : (wall.lower[0] + wall.upper[0]) / 2.;
-    bottom_centre = Point<dim>(middle, scene.fill_bottom);
+    const bool is_below_wall =
+      !hopper.is_empty() && !wall.is_empty() &&
+      std::abs(hopper.upper[1] - wall_foot) < 1e-6 * wall_width &&
+      std::abs(whole_width(hopper, has_axis) - wall_width) < 1e-6 * wall_width;
+    hopper_slope = is_below_wall ? common_slope(scene.mesh) :
+                                   std::numeric_limits<double>::quiet_NaN();
+
+    bottom_centre       = Point<dim>(0., scene.fill_bottom);
+    outlet_eccentricity = 0.;
+    if (has_axis)
+      return;
+    if (!outlet.is_empty())
+      bottom_centre[0] = outlet.middle();
+    else if (!wall.is_empty())
+      bottom_centre[0] = wall.middle();
+    if (!outlet.is_empty() && !wall.is_empty())
+      outlet_eccentricity = std::abs(outlet.middle() - wall.middle());
   }
 } // namespace Sandglass

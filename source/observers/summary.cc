@@ -6,6 +6,7 @@
 #include <sandglass/version.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Sandglass
 {
@@ -15,6 +16,32 @@ namespace Sandglass
     return initial_mass > 0. ?
              std::abs(totals.mass() - initial_mass) / initial_mass :
              0.;
+  }
+
+
+
+  double
+  Summary::residual_mass() const
+  {
+    return std::isnan(flow.discharge_time) ?
+             std::numeric_limits<double>::quiet_NaN() :
+             totals.mass_in_silo;
+  }
+
+
+
+  void
+  Summary::add_flow(JsonObject &json) const
+  {
+    json.add("flow_rate_plateau_kg_per_s", flow.plateau);
+    json.add("steady_flow_start_s", flow.steady.start);
+    json.add("steady_flow_end_s", flow.steady.end);
+    json.add("steady_flow_rate_kg_per_s", flow.steady.rate);
+    json.add("discharge_time_s", flow.discharge_time);
+    json.add("residual_mass_kg", residual_mass());
+    if (flow.stagnant_mass)
+      json.add("stagnant_mass_kg", *flow.stagnant_mass);
+    json.add("slipping_wall_share", flow.slipping_wall_share);
   }
 
 
@@ -49,7 +76,7 @@ namespace Sandglass
     json.add("mass_lost_kg", totals.mass_lost);
     json.add("mass_balance_error", mass_balance_error());
     if (has_flow_rate)
-      json.add("flow_rate_plateau_kg_per_s", flow_rate_plateau);
+      add_flow(json);
     json.add("end_time_s", clock.time);
     return json.text();
   }

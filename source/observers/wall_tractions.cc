@@ -11,14 +11,20 @@ namespace Sandglass
 {
   namespace
   {
-    const std::vector<std::string> columns = {"time_s",
-                                              "wall",
-                                              "arc_length_m",
-                                              "x_m",
-                                              "y_m",
-                                              "normal_Pa",
-                                              "tangential_Pa",
-                                              "janssen_normal_Pa"};
+    const std::vector<std::string> columns = {
+      "time_s",
+      "wall",
+      "arc_length_m",
+      "x_m",
+      "y_m",
+      "normal_Pa",
+      "tangential_Pa",
+      "janssen_normal_Pa",
+      "side",
+      "en_1991_4_filling_normal_Pa",
+      "en_1991_4_filling_tangential_Pa",
+      "en_1991_4_discharge_normal_Pa",
+      "en_1991_4_discharge_tangential_Pa"};
 
 
 
@@ -96,6 +102,13 @@ namespace Sandglass
     , fill_top(scene.fill_top)
     , measures(scene)
     , janssen(make_janssen(parameters, scene, material, walls, measures))
+    , eurocode({scene.formulation,
+                measures.wall_width,
+                fill_top - measures.wall_foot,
+                measures.outlet_eccentricity,
+                measures.hopper_slope,
+                material.internal_friction_angle},
+               janssen)
     , lines(scene.mesh, measures.bottom_centre)
     , table(parameters.directory + "/wall_traction.csv", columns)
     , series(parameters.directory, "walls", MPI_COMM_SELF)
@@ -127,11 +140,14 @@ namespace Sandglass
       for (const auto &parcel : of_rank)
         {
           const WallForce force = unpack(parcel);
-          tractions.push_back({force,
-                               lines.find(force.role, force.position),
-                               force.normal_force / force.tributary_area,
-                               force.tangential_force / force.tributary_area,
-                               janssen_pressure(force)});
+          tractions.push_back(
+            {force,
+             lines.find(force.role, force.position),
+             force.normal_force / force.tributary_area,
+             force.tangential_force / force.tributary_area,
+             janssen_pressure(force),
+             eurocode_pressure(EurocodePressures::Load::filling, force),
+             eurocode_pressure(EurocodePressures::Load::discharge, force)});
         }
     std::sort(tractions.begin(), tractions.end(), comes_before);
     return tractions;
@@ -155,6 +171,19 @@ namespace Sandglass
 
 
 
+  WallPressure
+  WallTractions::eurocode_pressure(const EurocodePressures::Load load,
+                                   const WallForce              &force) const
+  {
+    const double depth = fill_top - force.position[1];
+    return force.role == BoundaryRole::wall ? eurocode.on_wall(load, depth) :
+           force.role == BoundaryRole::hopper ?
+                                              eurocode.on_hopper(load, depth) :
+                                              WallPressure();
+  }
+
+
+
   void
   WallTractions::write(const double                     time,
                        const std::vector<WallTraction> &tractions)
@@ -169,43 +198,14 @@ namespace Sandglass
                     traction.force.position[1],
                     traction.normal,
                     traction.tangential,
-                    traction.janssen_normal);
+                    traction.janssen_normal,
+                    name_of(traction.place.side),
+                    traction.eurocode_filling.normal,
+                    traction.eurocode_filling.tangential,
+                    traction.eurocode_discharge.normal,
+                    traction.eurocode_discharge.tangential);
     table.flush();
     series.write(time, wall_fields(tractions));
   }
 
-
-
-  VtuPiece
-  wall_fields(const std::vector<WallTraction> &tractions)
-  {
-    std::vector<float> normal, tangential, janssen, vector;
-    VtuPiece           piece;
-    piece.points_per_cell = 2;
-    for (unsigned int i = 0; i < tractions.size(); ++i)
-      {
-        const WallTraction &traction = tractions[i];
-        const Point<dim>   &position = traction.force.position;
-        piece.points.insert(piece.points.end(), {position[0], position[1], 0.});
-
-        const Tensor<1, dim> on_material =
-          -traction.normal * traction.force.normal +
-          traction.tangential * wall_tangent(traction.force.normal);
-        for (const double component : {on_material[0], on_material[1], 0.})
-          vector.push_back(component);
-        normal.push_back(traction.normal);
-        tangential.push_back(traction.tangential);
-        janssen.push_back(traction.janssen_normal);
-
-        if (i > 0 && traction.force.role == tractions[i - 1].force.role &&
-            traction.place.line == tractions[i - 1].place.line)
-          piece.cells.insert(piece.cells.end(), {i - 1, i});
-      }
-    piece.point_fields = {
-      {"normal traction", 1, std::move(normal), {}},
-      {"tangential traction", 1, std::move(tangential), {}},
-      {"traction on material", 3, std::move(vector), {}},
-      {"Janssen normal traction", 1, std::move(janssen), {}}};
-    return piece;
-  }
 } // namespace Sandglass

@@ -87,10 +87,10 @@ namespace Sandglass
         double        *node_acceleration = acceleration.at(node.index);
         Tensor<1, dim> velocity, free_velocity;
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            velocity[d]      = sum[NodalSum::momentum + d] / mass;
-            free_velocity[d] = velocity[d] + time_step * node_acceleration[d];
-          }
+          velocity[d] = sum[NodalSum::momentum + d] / mass;
+        cancel_by_image(node.boundary, velocity);
+        for (unsigned int d = 0; d < dim; ++d)
+          free_velocity[d] = velocity[d] + time_step * node_acceleration[d];
 
         const Tensor<1, dim> approach =
           stops_velocity ? free_velocity : free_velocity - velocity;
@@ -323,17 +323,6 @@ namespace Sandglass
         }
     summed_time = 0.;
     return forces;
-  }
-
-
-
-  std::vector<types::global_dof_index>
-  Contact::node_dofs() const
-  {
-    std::vector<types::global_dof_index> dofs;
-    for (const auto &node : nodes)
-      dofs.push_back(node.boundary.dof);
-    return dofs;
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <sandglass/base/exceptions.h>
 #include <sandglass/scene/make_mesh.h>
+#include <sandglass/scene/silo_geometry.h>
 
 #include <gmsh.h>
 
@@ -14,9 +15,6 @@ namespace Sandglass
 {
   namespace
   {
-    const std::string material_group    = "material";
-    const std::string fall_region_group = "fall_region";
-
     /// Keeps Gmsh open for a scope, with its messages silenced.
     class GmshSession
     {
@@ -33,203 +31,6 @@ namespace Sandglass
       {
         gmsh::finalize();
       }
-    };
-
-
-
-    /**
-     * Builds the silo's section from corner points, straight lines and plane
-     * surfaces, and remembers the names of what it builds.
-     */
-    class SiloGeometry
-    {
-    public:
-      explicit SiloGeometry(const SceneParameters &parameters)
-        : parameters(parameters)
-      {
-        gmsh::model::add("silo");
-        if (parameters.cell_type == CellType::triangle)
-          add_outlines();
-        else
-          add_blocks();
-        gmsh::model::geo::synchronize();
-        for (const auto &[name, lines] : lines_named)
-          gmsh::model::setPhysicalName(1,
-                                       gmsh::model::addPhysicalGroup(1, lines),
-                                       name);
-        for (const auto &[name, surfaces] : surfaces_named)
-          gmsh::model::setPhysicalName(
-            2, gmsh::model::addPhysicalGroup(2, surfaces), name);
-      }
-
-    private:
-      int
-      point(const double x, const double y)
-      {
-        return gmsh::model::geo::addPoint(x, y, 0., parameters.element_size);
-      }
-
-      int
-      line(const int start, const int end, const BoundaryRole role)
-      {
-        const int tag = gmsh::model::geo::addLine(start, end);
-        lines_named[std::string(name_of(role))].push_back(tag);
-        return tag;
-      }
-
-      int
-      surface(const std::vector<int> &lines, const std::string &name)
-      {
-        const int tag = gmsh::model::geo::addPlaneSurface(
-          {gmsh::model::geo::addCurveLoop(lines)});
-        surfaces_named[name].push_back(tag);
-        return tag;
-      }
-
-      /// Free triangles: one surface for the silo, one for the fall region.
-      void
-      add_outlines()
-      {
-        const double a = parameters.half_width;
-        const double c = parameters.outlet_half_width;
-        const double e = parameters.hopper_height;
-
-        const int outlet_axis = point(0., 0.);
-        const int lip         = point(c, 0.);
-        const int wall_foot   = point(a, e);
-        const int wall_top    = point(a, parameters.fill_height());
-        const int axis_top    = point(0., parameters.fill_height());
-
-        const int outlet = line(outlet_axis, lip, BoundaryRole::outlet);
-        surface({outlet,
-                 line(lip,
-                      wall_foot,
-                      e > 0. ? BoundaryRole::hopper : BoundaryRole::floor),
-                 line(wall_foot, wall_top, BoundaryRole::wall),
-                 line(wall_top, axis_top, BoundaryRole::top),
-                 line(axis_top, outlet_axis, BoundaryRole::axis)},
-                material_group);
-
-        if (!parameters.outlet_is_open)
-          return;
-        const int axis_bottom = point(0., -parameters.fall_region_depth);
-        const int side_bottom = point(c, -parameters.fall_region_depth);
-        surface({-outlet,
-                 line(outlet_axis, axis_bottom, BoundaryRole::axis),
-                 line(axis_bottom, side_bottom, BoundaryRole::fall_bottom),
-                 line(side_bottom, lip, BoundaryRole::fall_side)},
-                fall_region_group);
-      }
-
-      int
-      inner_line(const int start, const int end)
-      {
-        return gmsh::model::geo::addLine(start, end);
-      }
-
-      unsigned int
-      n_cells_along(const double length) const
-      {
-        return std::max(1., std::round(length / parameters.element_size));
-      }
-
-      /// A surface of n x m quadrilaterals between four lines.
-      void
-      block(const int          bottom,
-            const int          right,
-            const int          top,
-            const int          left,
-            const unsigned int n,
-            const unsigned int m,
-            const std::string &name)
-      {
-        const int tag = surface({bottom, right, top, left}, name);
-        for (const int curve : {bottom, top})
-          gmsh::model::geo::mesh::setTransfiniteCurve(std::abs(curve), n + 1);
-        for (const int curve : {right, left})
-          gmsh::model::geo::mesh::setTransfiniteCurve(std::abs(curve), m + 1);
-        gmsh::model::geo::mesh::setTransfiniteSurface(tag);
-        gmsh::model::geo::mesh::setRecombine(2, tag);
-      }
-
-      /// Structured quadrilaterals: blocks between the outlet's and the
-      /// hopper's corners.
-      void
-      add_blocks()
-      {
-        const double a = parameters.half_width;
-        const double c = parameters.outlet_half_width;
-        const double e = parameters.hopper_height;
-        const double h = parameters.fill_height();
-
-        const unsigned int n_outlet = n_cells_along(c);
-        const unsigned int n_height = n_cells_along(parameters.wall_height);
-
-        const int outlet_axis = point(0., 0.), lip = point(c, 0.);
-        const int outlet   = line(outlet_axis, lip, BoundaryRole::outlet);
-        const int axis_top = point(0., h), wall_top = point(a, h);
-
-        if (e > 0.)
-          {
-            const unsigned int n_width =
-              std::max(n_outlet, n_cells_along((a + c) / 2.));
-            const unsigned int n_hopper = n_cells_along(std::hypot(e, a - c));
-            n_columns_below             = n_width;
-
-            const int wall_foot = point(a, e), axis_foot = point(0., e);
-            const int transition = inner_line(axis_foot, wall_foot);
-            block(outlet,
-                  line(lip, wall_foot, BoundaryRole::hopper),
-                  -transition,
-                  line(axis_foot, outlet_axis, BoundaryRole::axis),
-                  n_width,
-                  n_hopper,
-                  material_group);
-            block(transition,
-                  line(wall_foot, wall_top, BoundaryRole::wall),
-                  line(wall_top, axis_top, BoundaryRole::top),
-                  line(axis_top, axis_foot, BoundaryRole::axis),
-                  n_width,
-                  n_height,
-                  material_group);
-          }
-        else
-          {
-            n_columns_below     = n_outlet;
-            const int wall_foot = point(a, 0.), lip_top = point(c, h);
-            const int above_lip = inner_line(lip, lip_top);
-            block(outlet,
-                  above_lip,
-                  line(lip_top, axis_top, BoundaryRole::top),
-                  line(axis_top, outlet_axis, BoundaryRole::axis),
-                  n_outlet,
-                  n_height,
-                  material_group);
-            block(line(lip, wall_foot, BoundaryRole::floor),
-                  line(wall_foot, wall_top, BoundaryRole::wall),
-                  line(wall_top, lip_top, BoundaryRole::top),
-                  -above_lip,
-                  n_cells_along(a - c),
-                  n_height,
-                  material_group);
-          }
-
-        if (!parameters.outlet_is_open)
-          return;
-        const int axis_bottom = point(0., -parameters.fall_region_depth);
-        const int side_bottom = point(c, -parameters.fall_region_depth);
-        block(line(axis_bottom, side_bottom, BoundaryRole::fall_bottom),
-              line(side_bottom, lip, BoundaryRole::fall_side),
-              -outlet,
-              line(outlet_axis, axis_bottom, BoundaryRole::axis),
-              n_columns_below,
-              n_cells_along(parameters.fall_region_depth),
-              fall_region_group);
-      }
-
-      const SceneParameters                  &parameters;
-      std::map<std::string, std::vector<int>> lines_named, surfaces_named;
-      unsigned int                            n_columns_below = 0;
     };
 
 
@@ -372,8 +173,8 @@ namespace Sandglass
   Mesh
   mesh_silo(const SceneParameters &parameters)
   {
-    GmshSession  session;
-    SiloGeometry geometry(parameters);
+    GmshSession session;
+    add_silo_geometry(parameters);
     generate(parameters);
     return take_mesh(parameters.cell_type);
   }

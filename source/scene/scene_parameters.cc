@@ -2,6 +2,7 @@
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/scene/scene_parameters.h>
 
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -38,8 +39,8 @@ namespace Sandglass
       "Shape",
       shape,
       {{"silo", Shape::silo}, {"mesh file", Shape::mesh_file}},
-      "Where the mesh comes from: the silo's half section described by the "
-      "lengths below, or a file.");
+      "Where the mesh comes from: the silo's section described by the lengths "
+      "below, or a file.");
     add_text(*this,
              "Mesh file",
              mesh_file,
@@ -67,6 +68,21 @@ namespace Sandglass
                Bounds::greater_than(0.),
                "m",
                "Half width or radius of the outlet.");
+    add_flag(
+      *this,
+      "Symmetry",
+      is_symmetric,
+      "Whether the half section right of the middle x = 0 stands for the "
+      "silo, or the whole section from wall to wall is meshed "
+      "(Formulation = plane strain only). For Shape = silo; a mesh file "
+      "is half a section if it has an axis.");
+    add_number(*this,
+               "Outlet eccentricity",
+               outlet_eccentricity,
+               Bounds::any(),
+               "m",
+               "How far right of the silo's middle the middle of the outlet "
+               "lies; other than 0 with Symmetry = false only.");
     add_number(*this,
                "Hopper height",
                hopper_height,
@@ -153,6 +169,7 @@ namespace Sandglass
                            "directory");
         return;
       }
+    check_symmetry();
     if (outlet_half_width >= half_width)
       throw InputError("Scene",
                        "Outlet half width",
@@ -172,5 +189,36 @@ namespace Sandglass
                        to_text(element_size),
                        "allowed is at most the Wall height of " +
                          to_text(wall_height) + " m");
+  }
+
+
+  void
+  SceneParameters::check_symmetry() const
+  {
+    if (!is_symmetric && formulation == Formulation::axisymmetric)
+      throw InputError("Scene",
+                       "Symmetry",
+                       "false",
+                       "allowed is true, since Formulation = axisymmetric "
+                       "turns a half section about its axis");
+    if (is_symmetric && outlet_eccentricity != 0.)
+      throw InputError("Scene",
+                       "Outlet eccentricity",
+                       to_text(outlet_eccentricity),
+                       "allowed is 0, since Symmetry = true; an eccentric "
+                       "outlet needs Symmetry = false");
+    // A floor that only rounding makes wider than nothing can't be meshed.
+    constexpr double rounding = 1e-9;
+    if (outlet_half_width < half_width &&
+        std::abs(outlet_eccentricity) + outlet_half_width >=
+          half_width * (1. - rounding))
+      throw InputError("Scene",
+                       "Outlet eccentricity",
+                       to_text(outlet_eccentricity),
+                       "the outlet must lie between the walls: allowed is less "
+                       "than " +
+                         to_text(half_width - outlet_half_width) +
+                         " m to either side, the Half width less the Outlet "
+                         "half width");
   }
 } // namespace Sandglass

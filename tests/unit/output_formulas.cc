@@ -122,6 +122,71 @@ namespace
 
 
 
+  TEST(FlowRate, steady_flow_is_the_longest_stretch_of_nearly_equal_rates)
+  {
+    FlowRate flow_rate(0.1);
+    EXPECT_TRUE(std::isnan(flow_rate.steady().rate));
+    // 100 kg/s for 0.5 s, 8 % above and below 200 kg/s in turn for 1 s, 150
+    // kg/s for 0.3 s, then nothing for 2 s
+    double mass = 0.;
+    flow_rate.add(0., mass);
+    EXPECT_TRUE(std::isnan(flow_rate.steady().rate));
+    for (int i = 1; i <= 38; ++i)
+      {
+        const double rate = i <= 5  ? 100. :
+                            i <= 15 ? (i % 2 == 0 ? 184. : 216.) :
+                            i <= 18 ? 150. :
+                                      0.;
+        mass += 0.1 * rate;
+        flow_rate.add(0.1 * i, mass);
+      }
+    const SteadyFlow steady = flow_rate.steady();
+    EXPECT_NEAR(steady.start, 0.5, 1e-12);
+    EXPECT_NEAR(steady.end, 1.5, 1e-12);
+    EXPECT_NEAR(steady.rate, 200., 1e-9);
+  }
+
+
+
+  TEST(FlowRate, steady_flow_of_a_slow_decline_is_within_ten_percent)
+  {
+    // Rate 100 (1 - t) kg/s: all stretches from r to r 9/11 are as steady as is
+    // allowed, the first lasts longest.
+    FlowRate flow_rate(0.001);
+    for (int i = 0; i <= 1000; ++i)
+      {
+        const double time = 0.001 * i;
+        flow_rate.add(time, 100. * (time - time * time / 2.));
+      }
+    const SteadyFlow steady = flow_rate.steady();
+    EXPECT_EQ(steady.start, 0.);
+    EXPECT_NEAR(steady.end, 2. / 11., 0.002);
+    EXPECT_NEAR(steady.rate, 100. * 10. / 11., 0.2);
+  }
+
+
+
+  TEST(FlowRate, discharge_time_is_known_once_the_flow_has_ended)
+  {
+    // 100 kg/s for 2 s, then nothing: 99.9 % of it at 1.998 s
+    FlowRate flow_rate(0.1);
+    EXPECT_TRUE(std::isnan(flow_rate.discharge_time()));
+    for (int i = 0; i <= 25; ++i)
+      {
+        flow_rate.add(0.1 * i, std::min(10. * i, 200.));
+        if (i <= 20)
+          {
+            EXPECT_TRUE(std::isnan(flow_rate.discharge_time())) << i;
+          }
+        else
+          {
+            EXPECT_NEAR(flow_rate.discharge_time(), 1.998, 1e-9) << i;
+          }
+      }
+  }
+
+
+
   TEST(Schedule, first_step_at_or_after_each_multiple)
   {
     Schedule     schedule(0.1);

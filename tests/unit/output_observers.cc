@@ -17,7 +17,7 @@ namespace
     "time_s,step,time_step_s,time_step_over_critical,kinetic_energy_J,"
     "elastic_energy_J,dissipated_energy_J,momentum_x_kg_m_per_s,"
     "momentum_y_kg_m_per_s,mass_in_silo_kg,mass_falling_kg,mass_discharged_kg,"
-    "mass_lost_kg,largest_speed_m_per_s";
+    "mass_lost_kg,largest_speed_m_per_s,slipping_wall_share,stagnant_mass_kg";
 
   const std::string flow_rate_header =
     "time_s,discharged_mass_kg,mass_flow_rate_kg_per_s,beverloo_0_kg_per_s,"
@@ -25,7 +25,9 @@ namespace
 
   const std::string wall_traction_header =
     "time_s,wall,arc_length_m,x_m,y_m,normal_Pa,tangential_Pa,"
-    "janssen_normal_Pa";
+    "janssen_normal_Pa,side,en_1991_4_filling_normal_Pa,"
+    "en_1991_4_filling_tangential_Pa,en_1991_4_discharge_normal_Pa,"
+    "en_1991_4_discharge_tangential_Pa";
 
   boost::property_tree::ptree
   read_json(const std::string &filename)
@@ -60,9 +62,15 @@ namespace
     const auto last = read_numbers(history.back());
     EXPECT_GT(last[3], 0.); // time step over critical
     EXPECT_LT(last[3], 1.);
-    EXPECT_GT(last[4], 0.);        // kinetic energy
-    EXPECT_LT(last[8], 0.);        // falls
-    EXPECT_GT(last[11], last[10]); // some is removed
+    EXPECT_GT(last[4], 0.);                                // kinetic energy
+    EXPECT_LT(last[8], 0.);                                // falls
+    EXPECT_GT(last[11], last[10]);                         // some is removed
+    EXPECT_TRUE(std::isnan(read_numbers(history[1])[14])); // no step yet
+    EXPECT_GT(last[14], 0.); // share of the walls that slips
+    EXPECT_LE(last[14], 1.);
+    EXPECT_NEAR(read_numbers(history[1])[15], mass, 1e-9); // all is at rest
+    EXPECT_GT(last[15], 0.);
+    EXPECT_LT(last[15], last[9]);
 
     const auto flow_rate = read_lines(directory + "flow_rate.csv");
     ASSERT_EQ(flow_rate.size(), 1 + 31);
@@ -109,6 +117,13 @@ namespace
                                   "mass_lost_kg",
                                   "mass_balance_error",
                                   "flow_rate_plateau_kg_per_s",
+                                  "steady_flow_start_s",
+                                  "steady_flow_end_s",
+                                  "steady_flow_rate_kg_per_s",
+                                  "discharge_time_s",
+                                  "residual_mass_kg",
+                                  "stagnant_mass_kg",
+                                  "slipping_wall_share",
                                   "end_time_s"})
       EXPECT_EQ(summary.count(key), 1) << key;
     EXPECT_EQ(summary.get<std::string>("status"), "finished");
@@ -118,6 +133,22 @@ namespace
     EXPECT_GT(summary.get<double>("flow_rate_plateau_kg_per_s"), 0.);
     EXPECT_GT(summary.get<double>("loop_seconds"), 0.);
     EXPECT_GT(summary.get<double>("peak_rss_MiB"), 1.);
+  }
+
+
+
+  TEST(Observers, stagnant_mass_is_left_out_where_nobody_asks)
+  {
+    SmallSilo silo;
+    silo.output.stagnant_displacement = 0.;
+    silo.stage.end_time               = 0.02;
+    SmallRun run(silo);
+    run.run();
+    const std::string directory = silo.output.directory + '/';
+    EXPECT_EQ(read_text(directory + "history.csv").find("stagnant"),
+              std::string::npos);
+    EXPECT_EQ(read_json(directory + "summary.json").count("stagnant_mass_kg"),
+              0);
   }
 
 

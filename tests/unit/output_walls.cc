@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "unit/output_silo.h"
 
@@ -149,6 +150,75 @@ namespace
 
 
 
+  TEST(WallTractions, eurocode_beside_them)
+  {
+    // A slender silo with a steep hopper, the same on both sides or not.
+    SmallSilo silo;
+    silo.scene.wall_height             = 1.7;
+    silo.scene.hopper_height           = 0.4;
+    silo.output.lateral_pressure_ratio = 0.5;
+    const Janssen           janssen{1500. * 9.81,
+                          0.4,
+                          0.5,
+                          silo.walls.friction_coefficient()};
+    const EurocodePressures expected(
+      {Formulation::plane_strain, 0.8, 1.7, 0., 0.5, 25.}, janssen);
+    for (const double eccentricity : {0., 0.1})
+      {
+        silo.scene.is_symmetric        = eccentricity == 0.;
+        silo.scene.outlet_eccentricity = eccentricity;
+        SmallRun            run(silo);
+        const WallTractions observer(silo.output,
+                                     run.scene,
+                                     silo.material,
+                                     silo.walls);
+        for (const auto &traction : observer.collect(make_forces(run, 1., 0.)))
+          {
+            const double depth   = 2.1 - traction.force.position[1];
+            const bool is_hopper = traction.force.role == BoundaryRole::hopper;
+            for (const auto &[found, load] :
+                 {std::make_pair(traction.eurocode_filling,
+                                 EurocodePressures::Load::filling),
+                  std::make_pair(traction.eurocode_discharge,
+                                 EurocodePressures::Load::discharge)})
+              if (is_hopper && eccentricity > 0.)
+                {
+                  EXPECT_TRUE(std::isnan(found.normal));
+                }
+              else
+                {
+                  const WallPressure pressure =
+                    is_hopper ? expected.on_hopper(load, depth) :
+                                expected.on_wall(load, depth);
+                  EXPECT_NEAR(found.normal, pressure.normal, 1e-6);
+                  EXPECT_NEAR(found.tangential, pressure.tangential, 1e-6);
+                }
+          }
+      }
+  }
+
+
+
+  TEST(WallTractions, nothing_of_the_eurocode_on_squat_silos_and_floors)
+  {
+    SmallSilo silo;
+    for (const double wall_height : {0.8, 1.7})
+      {
+        silo.scene.wall_height = wall_height;
+        SmallRun            run(silo);
+        const WallTractions observer(silo.output,
+                                     run.scene,
+                                     silo.material,
+                                     silo.walls);
+        for (const auto &traction : observer.collect(make_forces(run, 1., 0.)))
+          EXPECT_EQ(std::isnan(traction.eurocode_filling.normal),
+                    wall_height < 1. ||
+                      traction.force.role == BoundaryRole::floor);
+      }
+  }
+
+
+
   TEST(WallTractions, picture_has_a_line_for_each_wall)
   {
     SmallSilo           silo;
@@ -164,6 +234,9 @@ namespace
 
     const auto &on_material = piece.point_fields.at(2);
     ASSERT_EQ(on_material.name, "traction on material");
+    ASSERT_EQ(piece.point_fields.at(4).name, "side");
+    EXPECT_EQ(std::get<std::vector<float>>(piece.point_fields[4].values),
+              std::vector<float>(12, 1.)); // half a silo: all on the right
     const auto &values = std::get<std::vector<float>>(on_material.values);
     // The wall at the right pushes to the left, the floor up.
     EXPECT_FLOAT_EQ(values[0], -1000.);

@@ -1,6 +1,9 @@
 #ifndef sandglass_observers_flow_rate_h
 #define sandglass_observers_flow_rate_h
 
+#include <sandglass/observers/flow_summary.h>
+
+#include <cstddef>
 #include <vector>
 
 namespace Sandglass
@@ -31,6 +34,27 @@ namespace Sandglass
     double
     plateau() const;
 
+    /// A time, in s, of a share of all the discharged mass, between samples
+    /// linearly; NaN if none was discharged.
+    double
+    time_of_share(const double share) const;
+
+    /**
+     * The longest stretch of time in which no flow rate (as of current()) is
+     * more than 10 % away from the middle between the largest and the smallest
+     * of them, from the begin of the first rate's window to the time of the
+     * last rate; of two equally long ones the earlier.
+     */
+    SteadyFlow
+    steady() const;
+
+    /**
+     * When 99.9 % of all that has been discharged so far had been, in s; NaN
+     * while that is less than a window ago, since then material still flows.
+     */
+    double
+    discharge_time() const;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -39,6 +63,13 @@ namespace Sandglass
     }
 
   private:
+    /// The sample from which the rate at another one is counted.
+    std::size_t
+    window_start(const std::size_t sample) const;
+
+    double
+    rate(const std::size_t start, const std::size_t end) const;
+
     struct Sample
     {
       double time, mass;

@@ -2,12 +2,19 @@
 #define sandglass_observers_history_h
 
 #include <sandglass/observers/csv_file.h>
+#include <sandglass/observers/flow_pattern.h>
 #include <sandglass/observers/flow_rate.h>
+#include <sandglass/observers/flow_summary.h>
 #include <sandglass/observers/output_parameters.h>
 #include <sandglass/observers/particle_totals.h>
 #include <sandglass/observers/silo_measures.h>
 
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace Sandglass
 {
@@ -31,25 +38,32 @@ namespace Sandglass
     void
     observe(const Clock          &clock,
             const double          critical_time_step,
-            const ParticleTotals &totals);
+            const ParticleTotals &totals,
+            const FlowPattern    &pattern);
 
-    /// Mean flow rate over the middle half of the discharge, see FlowRate.
+    /// How far stagnant material has moved at most, in m; 0 if nobody asks.
     double
-    flow_rate_plateau() const
+    stagnant_displacement() const
     {
-      return flow_rate.plateau();
+      return largest_stagnant_displacement;
     }
+
+    /// Of the discharge so far; on rank 0.
+    FlowSummary
+    flow_summary() const;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &history_file &flow_rate_file &flow_rate;
+      archive &history_file &flow_rate_file &flow_rate &slipping_samples
+        &stagnant_mass;
     }
 
   private:
     const bool         is_writer;
     const SiloMeasures measures;
+    const double       largest_stagnant_displacement;
 
     /// For grains of 0, 0.1 and 0.2 outlet widths, in kg/s.
     std::array<double, 3> beverloo;
@@ -57,6 +71,11 @@ namespace Sandglass
     CsvFile  history_file;
     CsvFile  flow_rate_file;
     FlowRate flow_rate;
+
+    /// A row's time in s, and its slipping share of the walls.
+    std::vector<std::pair<double, double>> slipping_samples;
+    /// The latest, in kg.
+    double stagnant_mass = 0.;
   };
 } // namespace Sandglass
 

@@ -87,6 +87,10 @@ namespace Sandglass
     observe_checkpoint(ParticleStage &stage);
     void
     write_summary(const std::string &status) const;
+    /// Write the file; on one rank.
+    void
+    write_summary_file(const std::string &status,
+                       const std::string &message) const;
 
     const OutputParameters   &parameters;
     const Scene              &scene;

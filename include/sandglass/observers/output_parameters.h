@@ -23,6 +23,9 @@ namespace Sandglass
     bool writes_grid      = true;
     bool writes_walls     = true;
 
+    /// In outlet widths; 0: the stagnant mass isn't computed.
+    double stagnant_displacement = 0.1;
+
     /// Janssen's K; 0 takes the one of EN 1991-4.
     double lateral_pressure_ratio = 0.;
 

@@ -23,8 +23,16 @@ namespace Sandglass
     /// Lowest point of the vertical walls, in m.
     double wall_foot;
 
-    /// Middle of the silo at its bottom; with an axis, a point of it.
+    /// Middle of the outlet, or of the silo without one, at its bottom; with an
+    /// axis, a point of it.
     Point<dim> bottom_centre;
+
+    /// Between the middles of outlet and vertical walls; 0 without either.
+    double outlet_eccentricity;
+
+    /// Tangent of the angle between hopper and vertical; NaN unless the hopper
+    /// has this angle all over and begins at the foot of the vertical walls.
+    double hopper_slope;
   };
 } // namespace Sandglass
 

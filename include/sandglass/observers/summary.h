@@ -1,6 +1,8 @@
 #ifndef sandglass_observers_summary_h
 #define sandglass_observers_summary_h
 
+#include <sandglass/observers/flow_summary.h>
+#include <sandglass/observers/json_object.h>
 #include <sandglass/observers/particle_totals.h>
 
 #include <string>
@@ -19,8 +21,8 @@ namespace Sandglass
     double         initial_mass = 0.; ///< in kg
 
     /// Whether material can leave.
-    bool   has_flow_rate     = false;
-    double flow_rate_plateau = 0.; ///< in kg/s
+    bool        has_flow_rate = false;
+    FlowSummary flow;
 
     /// Largest memory of the processes so far, summed over ranks, in MiB.
     double peak_memory = 0.;
@@ -28,6 +30,10 @@ namespace Sandglass
     /// Difference between the sum of all masses and the initial mass, over it.
     double
     mass_balance_error() const;
+
+    /// Mass in the silo once the flow has ended, in kg; NaN before.
+    double
+    residual_mass() const;
 
     /**
      * The text of summary.json. Times and particle-steps are those of this
@@ -40,6 +46,10 @@ namespace Sandglass
     to_json(const std::string &status,
             const std::string &message,
             const TimerOutput &timings) const;
+
+  private:
+    void
+    add_flow(JsonObject &json) const;
   };
 
   /// Largest memory of this process so far, in MiB.

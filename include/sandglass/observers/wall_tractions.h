@@ -3,6 +3,7 @@
 
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/observers/csv_file.h>
+#include <sandglass/observers/eurocode_pressures.h>
 #include <sandglass/observers/field_series.h>
 #include <sandglass/observers/janssen.h>
 #include <sandglass/observers/output_parameters.h>
@@ -21,6 +22,7 @@ namespace Sandglass
     double           normal;         ///< in Pa, compression positive
     double           tangential;     ///< in Pa, positive: pushes material up
     double           janssen_normal; ///< in Pa; NaN where Janssen says nothing
+    WallPressure     eurocode_filling, eurocode_discharge;
   };
 
   /// Writes wall_traction.csv, and walls.pvd with the same values on lines.
@@ -59,15 +61,19 @@ namespace Sandglass
   private:
     double
     janssen_pressure(const WallForce &force) const;
+    WallPressure
+    eurocode_pressure(const EurocodePressures::Load load,
+                      const WallForce              &force) const;
 
-    const MPI_Comm     communicator;
-    const bool         is_writer;
-    const double       fill_top;
-    const SiloMeasures measures;
-    const Janssen      janssen;
-    const WallLines    lines;
-    CsvFile            table;
-    FieldSeries        series;
+    const MPI_Comm          communicator;
+    const bool              is_writer;
+    const double            fill_top;
+    const SiloMeasures      measures;
+    const Janssen           janssen;
+    const EurocodePressures eurocode;
+    const WallLines         lines;
+    CsvFile                 table;
+    FieldSeries             series;
   };
 
   /// The walls as lines between their nodes.

@@ -92,6 +92,16 @@ namespace Sandglass
     std::vector<WallForce>
     take_mean_forces();
 
+    /// Area of wall in m^2 (plane: per m of depth) of this rank's nodes.
+    struct WallArea
+    {
+      double touching; ///< where a wall held the material in the last step
+      double sliding;  ///< the part of it where the material slid
+    };
+
+    WallArea
+    wall_area() const;
+
     /// The friction memory of each support, for checkpoints; see node_dofs().
     std::vector<std::array<FrictionMemory, 2>> memories;
 
@@ -129,6 +139,11 @@ namespace Sandglass
     template <typename Holding>
     void
     release(NodalField<dim> &field, const Holding &holding) const;
+
+    /// Take away what the momentum of the material's mirror image beyond the
+    /// axis cancels, so that half a silo moves like the whole.
+    static void
+    cancel_by_image(const BoundaryNode &node, Tensor<1, dim> &velocity);
 
     /// Which of a node's supports hold it: bit k for support k.
     static unsigned int

@@ -11,8 +11,9 @@
 namespace Sandglass
 {
   /**
-   * The silo's half section of the parameters, meshed by Gmsh: outlet level at
-   * y = 0, axis at x = 0, the fall region below an open outlet.
+   * The silo's half or whole section of the parameters, meshed by Gmsh: outlet
+   * level at y = 0, middle of the silo at x = 0, the fall region below an open
+   * outlet.
    */
   Mesh
   mesh_silo(const SceneParameters &parameters);

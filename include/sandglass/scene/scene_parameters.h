@@ -11,8 +11,8 @@
 namespace Sandglass
 {
   /**
-   * Section `Scene`: the silo's half section, its mesh, and where material is
-   * at the start. Lengths in m.
+   * Section `Scene`: the silo's half or whole section, its mesh, and where
+   * material is at the start. Lengths in m.
    */
   class SceneParameters : public dealii::ParameterAcceptor
   {
@@ -35,17 +35,19 @@ namespace Sandglass
     Formulation   formulation = Formulation::plane_strain;
     Shape         shape       = Shape::silo;
     std::string   mesh_file;
-    double        half_width         = 0.80;
-    double        wall_height        = 1.70;
-    double        outlet_half_width  = 0.225;
-    double        hopper_height      = 0.;
-    double        fall_region_depth  = 0.65;
-    double        element_size       = 0.025;
-    MeshAlgorithm mesh_algorithm     = MeshAlgorithm::frontal_delaunay;
-    unsigned int  mesh_seed          = 1;
-    CellType      cell_type          = CellType::triangle;
-    unsigned int  particles_per_cell = 4;
-    bool          outlet_is_open     = true;
+    bool          is_symmetric        = true;
+    double        outlet_eccentricity = 0.;
+    double        half_width          = 0.80;
+    double        wall_height         = 1.70;
+    double        outlet_half_width   = 0.225;
+    double        hopper_height       = 0.;
+    double        fall_region_depth   = 0.65;
+    double        element_size        = 0.025;
+    MeshAlgorithm mesh_algorithm      = MeshAlgorithm::frontal_delaunay;
+    unsigned int  mesh_seed           = 1;
+    CellType      cell_type           = CellType::triangle;
+    unsigned int  particles_per_cell  = 4;
+    bool          outlet_is_open      = true;
 
     /// In m/s^2.
     dealii::Tensor<1, dim> gravity{{0., -9.81}};
@@ -60,6 +62,11 @@ namespace Sandglass
     /// Throws InputError where values contradict each other.
     void
     check() const;
+
+  private:
+    /// The part of check() for whole sections and outlets beside the middle.
+    void
+    check_symmetry() const;
   };
 } // namespace Sandglass
 

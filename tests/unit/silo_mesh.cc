@@ -1,0 +1,195 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/observers/silo_measures.h>
+#include <sandglass/observers/wall_lines.h>
+#include <sandglass/scene/make_mesh.h>
+#include <sandglass/walls/boundary_nodes.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stage_fixture.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  /// A whole section, 1.6 m wide, with the outlet from x = 0 to 0.4 m.
+  class WholeSilo : public testing::TestWithParam<std::tuple<CellType, double>>
+  {
+  protected:
+    WholeSilo()
+    {
+      silo.cell_type           = std::get<0>(GetParam());
+      silo.hopper_height       = std::get<1>(GetParam());
+      silo.is_symmetric        = false;
+      silo.half_width          = 0.8;
+      silo.wall_height         = 1.2;
+      silo.outlet_half_width   = 0.2;
+      silo.outlet_eccentricity = 0.2;
+      silo.fall_region_depth   = 0.3;
+      silo.element_size        = 0.1;
+      silo.check();
+    }
+
+    double
+    area(const Mesh &mesh, const bool is_filled) const
+    {
+      double area = 0.;
+      for (const auto &cell : mesh.cells)
+        if (cell.is_filled == is_filled)
+          for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
+            {
+              const auto &a = mesh.vertices[cell.vertices[v]];
+              const auto &b =
+                mesh
+                  .vertices[cell.vertices[(v + 1) % mesh.vertices_per_cell()]];
+              area += (a[0] * b[1] - a[1] * b[0]) / 2.;
+            }
+      return area;
+    }
+
+    double
+    length(const Mesh &mesh, const BoundaryRole role) const
+    {
+      double length = 0.;
+      for (const auto &edge : mesh.edges)
+        if (edge.role == role)
+          length += mesh.vertices[edge.vertices[0]].distance(
+            mesh.vertices[edge.vertices[1]]);
+      return length;
+    }
+
+    bool
+    is_flat() const
+    {
+      return silo.hopper_height == 0.;
+    }
+
+    StageFixture::ClearedParameters cleared;
+    SceneParameters                 silo;
+    WallParameters                  walls;
+  };
+} // namespace
+
+
+
+TEST_P(WholeSilo, RolesCoverTheBoundary)
+{
+  const Mesh   mesh   = mesh_silo(silo);
+  const double hopper = silo.hopper_height * 1.6 - // rectangle less triangles
+                        silo.hopper_height * (0.8 + 0.4) / 2.;
+  EXPECT_NEAR(area(mesh, true), 1.6 * 1.2 + hopper, 1e-12);
+  EXPECT_NEAR(area(mesh, false), 0.4 * 0.3, 1e-12);
+
+  EXPECT_EQ(length(mesh, BoundaryRole::axis), 0.);
+  EXPECT_NEAR(length(mesh, BoundaryRole::wall), 2.4, 1e-12);
+  EXPECT_NEAR(length(mesh, BoundaryRole::outlet), 0.4, 1e-12);
+  EXPECT_NEAR(length(mesh, BoundaryRole::top), 1.6, 1e-12);
+  EXPECT_NEAR(length(mesh, BoundaryRole::fall_side), 0.6, 1e-12);
+  EXPECT_NEAR(length(mesh, BoundaryRole::fall_bottom), 0.4, 1e-12);
+  EXPECT_NEAR(length(mesh, BoundaryRole::floor), is_flat() ? 1.2 : 0., 1e-12);
+  const double e = silo.hopper_height;
+  EXPECT_NEAR(length(mesh, BoundaryRole::hopper),
+              is_flat() ? 0. : std::hypot(e, 0.8) + std::hypot(e, 0.4),
+              1e-12);
+}
+
+
+
+TEST_P(WholeSilo, LipsAndCornersOnBothSides)
+{
+  const Scene scene(
+    mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+  EXPECT_EQ(scene.symmetry_factor, 1.);
+
+  unsigned int n_fixed = 0, n_corners = 0;
+  for (const auto &node :
+       find_boundary_nodes(scene.dof_handler, scene.formulation, walls))
+    {
+      const bool is_lip = std::abs(node.position[1]) < 1e-12 &&
+                          std::abs(node.position[0] - 0.2) < 0.2 + 1e-12;
+      EXPECT_EQ(node.is_outlet_lip, is_lip);
+      if (is_lip)
+        {
+          EXPECT_NEAR(std::abs(node.position[0] - 0.2), 0.2, 1e-12);
+        }
+      n_fixed += node.is_fixed;
+      n_corners += node.supports.size() == 2;
+      for (const auto &support : node.supports)
+        {
+          // The middle of the material.
+          const Tensor<1, dim> outwards = node.position - Point<dim>(0.1, 0.6);
+          EXPECT_GT(support.normal * outwards, 0.);
+        }
+    }
+  EXPECT_EQ(n_corners, 2);
+  EXPECT_EQ(n_fixed, is_flat() ? 2 : 0);
+
+  const SiloMeasures measures(scene);
+  EXPECT_NEAR(measures.outlet_width, 0.4, 1e-12);
+  EXPECT_NEAR(measures.wall_width, 1.6, 1e-12);
+  EXPECT_NEAR(measures.wall_foot, silo.hopper_height, 1e-12);
+  EXPECT_NEAR(measures.bottom_centre[0], 0.2, 1e-12);
+  EXPECT_NEAR(measures.outlet_eccentricity, 0.2, 1e-12);
+}
+
+
+
+TEST_P(WholeSilo, SidesOfTheWalls)
+{
+  const Scene scene(
+    mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+  const WallLines lines(scene.mesh, SiloMeasures(scene).bottom_centre);
+  const auto      expect_place = [&lines](const BoundaryRole    role,
+                                     const Point<dim>     &point,
+                                     const WallLines::Side side,
+                                     const double          arc_length) {
+    const auto &place = lines.find(role, point);
+    EXPECT_EQ(place.side, side);
+    EXPECT_NEAR(place.arc_length, arc_length, 1e-12);
+  };
+  using Side          = WallLines::Side;
+  const double e      = silo.hopper_height;
+  const auto   bottom = is_flat() ? BoundaryRole::floor : BoundaryRole::hopper;
+  const Point<dim> left_foot(-0.8, e), right_foot(0.8, e);
+  expect_place(bottom, {0., 0.}, Side::left, 0.);
+  expect_place(bottom, left_foot, Side::left, std::hypot(0.8, e));
+  expect_place(bottom, right_foot, Side::right, std::hypot(0.4, e));
+  expect_place(BoundaryRole::wall, left_foot, Side::left, 0.);
+  expect_place(BoundaryRole::wall, {-0.8, e + 1.2}, Side::left, 1.2);
+  expect_place(BoundaryRole::wall, right_foot, Side::right, 0.);
+  // closed by the static stage
+  expect_place(BoundaryRole::outlet, {0., 0.}, Side::middle, 0.);
+  expect_place(BoundaryRole::outlet, {0.4, 0.}, Side::middle, 0.4);
+}
+
+
+
+TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
+{
+  StageFixture::ClearedParameters cleared;
+  SceneParameters                 silo;
+  silo.cell_type    = CellType::quadrilateral;
+  silo.is_symmetric = false;
+  silo.element_size = 0.1;
+  for (const double hopper_height : {0., 0.6})
+    {
+      silo.hopper_height = hopper_height;
+      const Mesh mesh    = mesh_silo(silo);
+      for (const auto &vertex : mesh.vertices)
+        EXPECT_TRUE(std::any_of(
+          mesh.vertices.begin(), mesh.vertices.end(), [&](const auto &other) {
+            return other.distance(Point<dim>(-vertex[0], vertex[1])) < 1e-9;
+          }));
+    }
+}
+
+
+
+INSTANTIATE_TEST_SUITE_P(
+  Shapes,
+  WholeSilo,
+  testing::Combine(testing::Values(CellType::triangle, CellType::quadrilateral),
+                   testing::Values(0., 0.6)));
