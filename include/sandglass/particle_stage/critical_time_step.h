@@ -8,6 +8,8 @@
 #include <sandglass/particle_stage/random_nodal_field.h>
 #include <sandglass/scene/scene.h>
 
+#include <vector>
+
 namespace Sandglass
 {
   /**
@@ -25,6 +27,9 @@ namespace Sandglass
    * (f^T G f) / (u^T f), which is never above it. It starts afresh from the
    * same random vector each time: the stiffest spot moves, and a restarted run
    * has to find the same step.
+   *
+   * Nodes on the axis of axisymmetric scenes don't leave it. If they did, a
+   * particle's hoop strain would grow without bound as it nears the axis.
    *
    * Particles without stress that are less dense than `stiff_share` of the
    * unstressed material are separated; they don't count.
@@ -55,6 +60,11 @@ namespace Sandglass
       , mapped_force(*scene.nodes)
     {
       fill_with_random_numbers(random_direction, scene);
+      if constexpr (Setting::has_hoop_strain)
+        {
+          find_nodes_on_axis();
+          hold_on_axis(random_direction);
+        }
     }
 
     /**
@@ -190,6 +200,31 @@ namespace Sandglass
             field.at(node)[d] =
               mass > 0. ? scale * field.at(node)[d] / mass : 0.;
         }
+      hold_on_axis(field);
+    }
+
+    void
+    find_nodes_on_axis()
+    {
+      for (const auto &cell : scene.dof_handler.active_cell_iterators())
+        for (const unsigned int face : cell->face_indices())
+          if (!cell->is_artificial() && cell->at_boundary(face) &&
+              cell->face(face)->boundary_id() ==
+                boundary_id(BoundaryRole::axis))
+            for (const unsigned int v : {0u, 1u})
+              {
+                const auto dof = cell->face(face)->vertex_dof_index(v, 0);
+                if (scene.nodes->in_local_range(dof))
+                  nodes_on_axis.push_back(scene.nodes->global_to_local(dof));
+              }
+    }
+
+    /// Updates ghosts.
+    void
+    hold_on_axis(NodalField<dim> &field) const
+    {
+      for (const unsigned int node : nodes_on_axis)
+        field.at(node)[0] = 0.;
       field.update_ghosts();
     }
 
@@ -230,6 +265,9 @@ namespace Sandglass
     const Elasticity elasticity;
     const double     smallest_density;
     const Scene     &scene;
+
+    /// Only in axisymmetric scenes.
+    std::vector<unsigned int> nodes_on_axis;
 
     NodalField<dim> random_direction;
     NodalField<dim> direction;    ///< u, the eigenvector's approximation
