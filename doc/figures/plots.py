@@ -2,6 +2,7 @@
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (after the choice of a backend)
+from matplotlib.lines import Line2D  # noqa: E402
 
 import run_output
 from runs import MESHES, OUTPUT, ROOT, scene_name
@@ -22,8 +23,7 @@ def draw_meshes(axes, silo):
                 continue
             table = run_output.read_table(directory, "flow_rate.csv")
             axes.plot(table["time_s"], table["mass_flow_rate_kg_per_s"], style,
-                      color=MESH_COLORS[mesh], linewidth=1.4,
-                      label=None if is_automatic else f"mesh {mesh}")
+                      color=MESH_COLORS[mesh], linewidth=1.4)
 
 
 def draw_beverloo(axes, silo):
@@ -51,7 +51,10 @@ def draw_flow_rates(silos, picture, last_times):
         row[0].set_ylim(bottom=0)
         row[0].set_ylabel("mass flow rate, " + (
             "kg/(s m)" if silos[0].startswith("plane") else "kg/s"))
-        row[0].legend(frameon=False, loc="lower left")
+        row[0].legend(handles=[Line2D([], [], color=MESH_COLORS[mesh],
+                                      label=f"mesh {mesh}")
+                               for mesh in MESHES],
+                      frameon=False, loc="lower left")
         save(figure, picture)
 
 
