@@ -43,6 +43,7 @@ def parts():
         "processor": processor(),
         "discharge-times": tables.discharge_times(),
         "hopper-times": tables.hopper_times(),
+        "cone-times": tables.cone_times(),
         "density": tables.density(),
         "lip": tables.lip(),
     }

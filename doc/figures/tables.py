@@ -196,20 +196,32 @@ def discharge_times():
     return markdown(["Section 5.3", "empty after, s"], rows)
 
 
-def hopper_times():
-    rows = [["paper, mesh 3",
-             number(paper_data.DISCHARGE_TIME["plane-hopper"])]]
+def empty_times(silo):
+    """Of the three meshes, paper's / automatic step."""
+    rows = []
     for mesh in MESHES:
         times = [number(run_output.discharge_time(
-            OUTPUT / scene_name("plane-hopper", mesh, is_automatic)), ".3g")
+            scene_directory(silo, mesh, is_automatic)), ".3g")
             for is_automatic in (False, True)]
         rows.append([f"here, mesh {mesh}", " / ".join(times)])
+    return rows
+
+
+def hopper_times():
     constant = density_run("plane-hopper", "constant", True).directory
-    rows.append(["here, mesh 3, density constant",
-                 "– / " +
-                 number(run_output.discharge_time(constant), ".3g")])
+    rows = [["paper, mesh 3",
+             number(paper_data.DISCHARGE_TIME["plane-hopper"])],
+            *empty_times("plane-hopper"),
+            ["here, mesh 3, density constant",
+             "– / " + number(run_output.discharge_time(constant), ".3g")]]
     return markdown(["plane hopper",
                      "empty after, s (paper's / automatic step)"], rows)
+
+
+def cone_times():
+    return markdown(["conical hopper",
+                     "empty after, s (paper's / automatic step)"],
+                    empty_times("axisymmetric-hopper"))
 
 
 def density():
