@@ -87,7 +87,7 @@ def fill(page, generated):
             raise SystemExit(f"{page}: nothing makes the part '{name}'")
         content = generated[name]
         if "\n" in content:
-            content = f"\n{content}\n"
+            content = f"\n\n{content}\n\n"
         return f"<!-- generated: {name} -->{content}<!-- end -->"
     page.write_text(re.sub(r"<!-- generated: (\S+) -->.*?<!-- end -->",
                            replacement, text, flags=re.DOTALL),

@@ -84,7 +84,7 @@ def mesh_data(silos):
     for silo in silos:
         for i, (size, *counts) in enumerate(paper_data.MESH_DATA[silo]):
             directory = OUTPUT / (silo if silo == "plane-section-5.3"
-                                  else scene_name(silo, i + 1, False))
+                                  else scene_name(silo, i + 1, True))
             ours = counts_of(directory)
             rows.append([TITLES[silo], i + 1, f"{1e3 * size:g}"] +
                         [f"{a} / {b}" for a, b in zip(counts, ours)])
