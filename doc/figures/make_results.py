@@ -23,10 +23,8 @@ PLANE, AXISYMMETRIC = SILOS[:2], SILOS[2:]
 PICTURES = {
     "figure-3": ("plane-flat-bottom-mesh-3", (0, 0.5, 1.0, 1.5, 2.5)),
     "figure-4": ("plane-hopper-mesh-3", (0, 0.5, 1.0, 1.5, 2.0)),
-    "figure-7": ("axisymmetric-flat-bottom-mesh-3-auto",
-                 (0, 0.3, 0.6, 1.0, 2.0)),
-    "figure-8": ("axisymmetric-hopper-mesh-3-auto",
-                 (0, 0.3, 0.6, 0.9, 1.2)),
+    "figure-7": ("axisymmetric-flat-bottom-mesh-3", (0, 0.3, 0.6, 1.0, 2.0)),
+    "figure-8": ("axisymmetric-hopper-mesh-3", (0, 0.3, 0.6, 0.9, 1.2)),
     "section-5.3": ("plane-section-5.3", (0, 1, 2.5, 4, 5.5)),
 }
 
