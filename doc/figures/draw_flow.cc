@@ -14,7 +14,9 @@
 
 #include "canvas.h"
 #include "color_scale.h"
+#include "panel_row.h"
 #include "run_output.h"
+#include "silo_drawing.h"
 
 namespace
 {
@@ -25,19 +27,18 @@ namespace
     "Draws the particles at the times of the output next to each TIME, in s.\n"
     "  --half        the half section that was computed\n"
     "  --whole       both halves (the default)\n"
+    "  --paper       as in the paper's figures: the mesh first, then the odd\n"
+    "                layers and the tractions along the walls, the normal ones\n"
+    "                thick and the tangential ones thin\n"
     "  --field NAME  colours for speed, pressure, stress:YY, ... instead of\n"
     "                the layers of the initial material\n";
-
-  // In pixels.
-  constexpr double largest_width = 1800., largest_height = 1000., margin = 20.;
-  constexpr double gap = 36., bar_space = 210., label_space = 56.;
-  constexpr int    text_size = 30;
 
   struct Options
   {
     std::vector<std::string> arguments; ///< directory, picture, times
     std::string              field    = "layer";
     bool                     is_whole = true;
+    bool                     is_paper = false;
   };
 
 
@@ -49,6 +50,8 @@ namespace
     for (auto word = words.begin(); word != words.end(); ++word)
       if (*word == "--half" || *word == "--whole")
         options.is_whole = *word == "--whole";
+      else if (*word == "--paper")
+        options.is_paper = true;
       else if (*word == "--field" && word + 1 != words.end())
         options.field = *++word;
       else if (word->rfind("--", 0) == 0)
@@ -66,7 +69,7 @@ namespace
   struct Panel
   {
     double                               time; ///< in s
-    vtkSmartPointer<vtkUnstructuredGrid> particles;
+    vtkSmartPointer<vtkUnstructuredGrid> particles, walls;
     std::vector<double>                  values; ///< that give the colours
   };
 
@@ -75,6 +78,7 @@ namespace
   std::vector<Panel>
   read_panels(const Options &options, const Series &series)
   {
+    const Series       walls = read_series(options.arguments[0], "walls");
     std::vector<Panel> panels;
     for (unsigned int i = 2; i < options.arguments.size(); ++i)
       {
@@ -84,8 +88,10 @@ namespace
           throw std::runtime_error("'" + text.str() + "' is no time in s.");
         const auto entry     = find_nearest(series, time);
         const auto particles = read_grid(entry->second);
-        panels.push_back(
-          {entry->first, particles, field_values(*particles, options.field)});
+        panels.push_back({entry->first,
+                          particles,
+                          read_grid(find_nearest(walls, entry->first)->second),
+                          field_values(*particles, options.field)});
       }
     return panels;
   }
@@ -105,77 +111,27 @@ namespace
 
 
 
-  /// Draws between points in m on one panel of the canvas.
-  struct Pen
-  {
-    Canvas             &canvas;
-    const Canvas::Point origin; ///< of the scene's coordinates, in pixels
-    const double        scale;  ///< pixels per m
-    const bool          draws_mirror_image;
-
-    /// @param thickness  in pixels.
-    void
-    draw_line(const double *begin,
-              const double *end,
-              const double  thickness,
-              const Color  &color) const
-    {
-      for (const double side : {1., -1.})
-        if (side > 0. || draws_mirror_image)
-          canvas.draw_line({{origin[0] + side * scale * begin[0],
-                             origin[1] + scale * begin[1]}},
-                           {{origin[0] + side * scale * end[0],
-                             origin[1] + scale * end[1]}},
-                           thickness,
-                           color);
-    }
-  };
-
-
-
   void
   draw_particles(const Pen                       &pen,
                  const Panel                     &panel,
                  const double                     diameter,
+                 const bool                       draws_odd_layers_only,
                  const std::optional<ColorScale> &color_scale)
   {
     constexpr Color dark_sand  = {{150, 94, 42}};
     constexpr Color light_sand = {{236, 200, 136}};
     for (unsigned int i = 0; i < panel.values.size(); ++i)
       {
-        const double *const point = panel.particles->GetPoint(i);
-        const double        value = panel.values[i];
-        const Color         layer_color =
-          std::lround(value) % 2 == 1 ? dark_sand : light_sand;
+        const double *const point       = panel.particles->GetPoint(i);
+        const double        value       = panel.values[i];
+        const bool          is_odd      = std::lround(value) % 2 == 1;
+        const Color         layer_color = is_odd ? dark_sand : light_sand;
+        if (draws_odd_layers_only && !is_odd)
+          continue;
         pen.draw_line(point,
                       point,
                       pen.scale * diameter,
                       color_scale ? color_scale->color(value) : layer_color);
-      }
-  }
-
-
-
-  void
-  draw_walls(const Pen &pen, vtkUnstructuredGrid &walls)
-  {
-    constexpr Color wall_color = {{38, 42, 48}}, outlet_color = {{80, 80, 80}};
-
-    // The outlet lies between the axis and the point of the walls next to it.
-    vtkPoints            &points = *walls.GetPoints();
-    std::array<double, 3> lip, begin, end;
-    points.GetPoint(0, lip.data());
-    for (vtkIdType i = 1; i < points.GetNumberOfPoints(); ++i)
-      if (points.GetPoint(i)[0] < lip[0])
-        points.GetPoint(i, lip.data());
-    const std::array<double, 3> middle = {{0., lip[1], 0.}};
-    pen.draw_line(middle.data(), lip.data(), 2., outlet_color);
-
-    for (vtkIdType i = 0; i < walls.GetNumberOfCells(); ++i)
-      {
-        points.GetPoint(walls.GetCell(i)->GetPointId(0), begin.data());
-        points.GetPoint(walls.GetCell(i)->GetPointId(1), end.data());
-        pen.draw_line(begin.data(), end.data(), 5., wall_color);
       }
   }
 
@@ -220,80 +176,96 @@ namespace
 
 
 
-  /// Panels of one size next to each other, with a label below each, and room
-  /// for a colour bar to the right of them. In pixels where nothing else is
-  /// said.
-  struct Layout
+  /// The tractions of all panels, to one scale.
+  TractionDrawing
+  make_traction_drawing(const std::vector<Panel> &panels)
   {
-    /// @param box  what a panel shows, in m.
-    Layout(const unsigned int    n_panels,
-           const vtkBoundingBox &box,
-           const bool            has_bar)
-    {
-      const double width_around =
-        2. * margin + (n_panels - 1.) * gap + (has_bar ? bar_space : 0.);
-      const double height_around = 2. * margin + label_space;
-      if (width_around > .5 * largest_width)
-        throw std::runtime_error("So many times don't fit into one picture.");
-      scale =
-        std::min((largest_width - width_around) / (n_panels * box.GetLength(0)),
-                 (largest_height - height_around) / box.GetLength(1));
-      panel_width  = scale * box.GetLength(0);
-      panel_height = scale * box.GetLength(1);
-      width        = n_panels * panel_width + width_around;
-      height       = panel_height + height_around;
-    }
+    std::vector<double> tractions;
+    for (const auto &panel : panels)
+      {
+        const auto values = field_values(*panel.walls, "normal traction");
+        tractions.insert(tractions.end(), values.begin(), values.end());
+      }
+    const vtkBoundingBox walls(panels.front().walls->GetBounds());
+    return {.4 * walls.GetBound(1), tractions};
+  }
 
-    double scale; ///< pixels per m
-    double panel_width, panel_height, width, height;
-  };
+
+
+  /// What each panel must have room for, in m.
+  vtkBoundingBox
+  panel_box(const std::vector<Panel> &panels,
+            const Options            &options,
+            const TractionDrawing    &tractions)
+  {
+    vtkBoundingBox box;
+    for (const auto &panel : panels)
+      {
+        box.AddBounds(panel.walls->GetBounds());
+        box.AddBounds(panel.particles->GetBounds());
+        if (options.is_paper)
+          tractions.extend(box, *panel.walls);
+      }
+    if (options.is_whole)
+      box.AddPoint(-box.GetBound(1), box.GetBound(2), 0.);
+    return box;
+  }
+
+
+
+  void
+  draw_mesh_panel(PanelRow              &row,
+                  const Options         &options,
+                  const TractionDrawing &tractions,
+                  vtkUnstructuredGrid   &walls)
+  {
+    const auto corner = row.next_corner();
+    const Pen  pen    = row.next_panel("mesh");
+    draw_mesh(pen,
+              *read_grid(
+                read_series(options.arguments[0], "grid").begin()->second));
+    draw_walls(pen, walls);
+    tractions.draw_scale(pen,
+                         {{corner[0] + .72 * row.panel_width, corner[1]}},
+                         PanelRow::text_size);
+  }
 
 
 
   void
   draw(const Options &options)
   {
-    const std::string &directory = options.arguments[0];
-    const Series       series    = read_series(directory, "particles");
-    const auto         panels    = read_panels(options, series);
-    const auto         walls =
-      read_grid(read_series(directory, "walls").rbegin()->second);
+    const Series series      = read_series(options.arguments[0], "particles");
+    const auto   panels      = read_panels(options, series);
+    const auto   tractions   = make_traction_drawing(panels);
     const auto   color_scale = make_color_scale(options, panels);
     const double diameter =
+      (options.is_paper ? .6 : 1.) *
       particle_diameter(*read_grid(series.begin()->second));
 
-    vtkBoundingBox box(walls->GetBounds());
-    for (const auto &panel : panels)
-      box.AddBounds(panel.particles->GetBounds());
-    if (options.is_whole)
-      box.AddPoint(-box.GetBound(1), box.GetBound(2), 0.);
-    const Layout layout(panels.size(), box, color_scale.has_value());
-
-    Canvas       canvas(layout.width, layout.height);
-    const double bottom = margin + label_space;
-    double       left   = margin;
+    PanelRow row(panels.size() + (options.is_paper ? 1 : 0),
+                 panel_box(panels, options, tractions),
+                 options.is_whole,
+                 color_scale.has_value());
+    if (options.is_paper)
+      draw_mesh_panel(row, options, tractions, *panels.back().walls);
     for (const auto &panel : panels)
       {
-        const Pen pen{canvas,
-                      {{left - layout.scale * box.GetBound(0),
-                        bottom - layout.scale * box.GetBound(2)}},
-                      layout.scale,
-                      options.is_whole};
-        draw_particles(pen, panel, diameter, color_scale);
-        draw_walls(pen, *walls);
-        canvas.draw_text(time_label(panel.time, panels),
-                         {{left + .5 * layout.panel_width,
-                           margin + .5 * text_size}},
-                         text_size,
-                         true);
-        left += layout.panel_width + gap;
+        const Pen pen = row.next_panel(time_label(panel.time, panels));
+        draw_particles(pen, panel, diameter, options.is_paper, color_scale);
+        if (options.is_paper)
+          tractions.draw(pen, *panel.walls);
+        draw_walls(pen, *panel.walls);
       }
     if (color_scale)
-      color_scale->draw(canvas,
-                        {{left, bottom + .15 * layout.panel_height}},
-                        .7 * layout.panel_height,
-                        options.field);
-    canvas.write(options.arguments[1]);
+      {
+        const auto corner = row.next_corner();
+        color_scale->draw(row.canvas,
+                          {{corner[0], corner[1] + .15 * row.panel_height}},
+                          .7 * row.panel_height,
+                          options.field);
+      }
+    row.canvas.write(options.arguments[1]);
   }
 } // namespace
 

@@ -1,0 +1,55 @@
+"""The walls' tractions at the times of Figures 3, 4, 7 and 8."""
+import run_output
+from runs import OUTPUT
+from tables import markdown, number
+
+
+def mean_along(rows, column):
+    """The mean over the arc length, by the trapezoidal rule."""
+    rows = sorted(rows, key=lambda row: row["arc_length_m"])
+    length = rows[-1]["arc_length_m"] - rows[0]["arc_length_m"]
+    area = sum(0.5 * (a[column] + b[column]) *
+               (b["arc_length_m"] - a["arc_length_m"])
+               for a, b in zip(rows, rows[1:]))
+    return area / length
+
+
+def parts_of_walls(rows):
+    """The vertical wall's quarter at the bottom, the rest of it, and the
+    hopper or floor, to which the closed outlet belongs at the start."""
+    wall = [row for row in rows if row["wall"] == "wall"]
+    foot = min(row["y_m"] for row in wall)
+    limit = foot + 0.25 * (max(row["y_m"] for row in wall) - foot)
+    bottom = ("hopper" if any(row["wall"] == "hopper" for row in rows)
+              else "floor")
+    return {"wall, lowest quarter":
+            [row for row in wall if row["y_m"] <= limit],
+            "wall above": [row for row in wall if row["y_m"] > limit],
+            bottom: [row for row in rows if row["wall"] == bottom]}
+
+
+def rows_at(directory, time):
+    table = run_output.read_table(directory, "wall_traction.csv")
+    nearest = min(set(table["time_s"]), key=lambda t: abs(t - time))
+    keys = list(table)
+    return [row for row in
+            (dict(zip(keys, values)) for values in zip(*table.values()))
+            if row["time_s"] == nearest]
+
+
+def tractions(name, times):
+    """Normal / tangential means in kPa."""
+    if not run_output.has_ended(OUTPUT / name):
+        return markdown(["not run"], [])
+    lines, head = [], []
+    for time in times:
+        parts = parts_of_walls(rows_at(OUTPUT / name, time))
+        head = ["time, s"] + list(parts)
+        line = [f"{time:g}"]
+        for rows in parts.values():
+            normal, tangential = (mean_along(rows, column) / 1e3 for column in
+                                  ("normal_Pa", "tangential_Pa"))
+            line.append(f"{number(normal, '.3g')} / "
+                        f"{number(tangential, '.3g')}")
+        lines.append(line)
+    return markdown(head, lines)
