@@ -114,6 +114,9 @@ namespace Sandglass
        "Consistent mass share",
        to_text(particle_stage.consistent_mass_share)},
       {"Particle stage",
+       "Volumetric strain",
+       choice({"element", "averaged"}, particle_stage.volumetric_strain)},
+      {"Particle stage",
        "Density update",
        choice({"paper", "constant", "floor", "separation"},
               particle_stage.density_update)}};

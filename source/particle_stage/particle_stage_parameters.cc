@@ -50,6 +50,15 @@ namespace Sandglass
                "Share alpha of the consistent mass matrix M in alpha M + (1 - "
                "alpha) M_I; 0 takes the lumped one, M_I, which needs no "
                "solver.");
+    add_selection<VolumetricStrain>(
+      *this,
+      "Volumetric strain",
+      volumetric_strain,
+      {{"element", VolumetricStrain::element},
+       {"averaged", VolumetricStrain::averaged}},
+      "Change of volume of a stressed particle: that of its cell (paper), or "
+      "the average over the cells around it, without which linear cells lock "
+      "under plastic flow that keeps the volume.");
     add_selection<DensityUpdate>(
       *this,
       "Density update",

@@ -74,14 +74,21 @@ namespace
             value[0]      = a * cell->vertex(v)[0];
             value[1]      = b * cell->vertex(v)[1];
           }
+      // The average of a uniform rate is that rate.
+      const CellGeometry<cell_type>  geometry(*fixture.scene);
+      VolumetricAverage<CellSetting> average(
+        *fixture.scene->nodes,
+        fixture.scene->triangulation.n_active_cells(),
+        0.,
+        true);
+      average.compute(fixture.stage->cloud, geometry, velocity);
       const StressUpdate<DensityUpdate::paper> update(
         fixture.material.drucker_prager(), fixture.material.density);
       std::vector<Stray> strays;
-      ParticleMotion<CellSetting, DensityUpdate::paper>(update, time_step)
-        .compute(fixture.stage->cloud,
-                 CellGeometry<cell_type>(*fixture.scene),
-                 velocity,
-                 strays);
+      ParticleMotion<CellSetting, DensityUpdate::paper, true>(update,
+                                                              average,
+                                                              time_step)
+        .compute(fixture.stage->cloud, geometry, velocity, strays);
     }
 
     /**

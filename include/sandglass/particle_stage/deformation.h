@@ -27,6 +27,18 @@ namespace Sandglass
                   gradient[0][1] * gradient[1][0]) *
                  (1. + hoop))
     {}
+
+    /// The same with another change of volume, theta = tr(strain).
+    DeformationIncrement
+    with_volume_change(const double theta) const
+    {
+      const double difference = theta - strain[Component::xx] -
+                                strain[Component::yy] - strain[Component::zz];
+      DeformationIncrement result(*this);
+      result.strain += difference / 3. * SymmetricTensor4(1., 1., 1., 0.);
+      result.jacobian *= 1. + difference;
+      return result;
+    }
   };
 
   /// sum_i N_i v_i

@@ -23,6 +23,11 @@ namespace Sandglass
       , unstressed_density(material.density)
       , stress_update(material.drucker_prager(), material.density)
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
+      , volumetric_average(
+          *scene.nodes,
+          scene.triangulation.n_active_cells(),
+          density_update == DensityUpdate::separation ? material.density : 0.,
+          parameters.volumetric_strain == VolumetricStrain::averaged)
       , critical(material.elasticity(), material.density, scene)
       , relocation(scene, geometry, walls, parameters)
     {
@@ -56,10 +61,10 @@ namespace Sandglass
       // Step 7: the velocity that deforms and moves the particles
       solve_mapped_velocity(fields, mass_matrix, contact);
       // Steps 8 and 9: stress, density and position
+      volumetric_average.compute(cloud, geometry, fields.mapped_velocity);
       strays.clear();
       plastic_dissipation +=
-        ParticleMotion<Setting, density_update>(stress_update, clock.time_step)
-          .compute(cloud, geometry, fields.mapped_velocity, strays);
+        volumetric_average.is_on ? move<true>() : move<false>();
       particle_steps += cloud.handler.n_locally_owned_particles();
       relocation.relocate(strays, cloud, clock);
       // Step 10
@@ -120,6 +125,16 @@ namespace Sandglass
     }
 
   private:
+    /// Steps 8 and 9; returns the plastic work in J.
+    template <bool is_averaged>
+    double
+    move()
+    {
+      return ParticleMotion<Setting, density_update, is_averaged>(
+               stress_update, volumetric_average, clock.time_step)
+        .compute(cloud, geometry, fields.mapped_velocity, strays);
+    }
+
     void
     seed_particles()
     {
@@ -160,6 +175,7 @@ namespace Sandglass
     const double                                   unstressed_density;
     const StressUpdate<density_update>             stress_update;
     MassMatrix<Setting>                            mass_matrix;
+    VolumetricAverage<Setting>                     volumetric_average;
     CriticalTimeStep<Setting>                      critical;
     Relocation<Setting::cell_type>                 relocation;
 

@@ -4,6 +4,7 @@
 #include <sandglass/particle_stage/deformation.h>
 #include <sandglass/particle_stage/relocation.h>
 #include <sandglass/particle_stage/stress_update.h>
+#include <sandglass/particle_stage/volumetric_average.h>
 
 #include <vector>
 
@@ -14,9 +15,11 @@ namespace Sandglass
    * particle's cell: stress and density by `stress_update`, then the position
    * X_P += dt N(X_P) v^L. Particles whose new position lies outside their cell
    * (or too close to its edge for the nodes opposite to get any mass) are
-   * appended to `strays`, their reference coordinates not yet updated.
+   * appended to `strays`, their reference coordinates not yet updated. If
+   * `is_averaged`, stressed particles take their cell's averaged change of
+   * volume.
    */
-  template <typename Setting, DensityUpdate density_update>
+  template <typename Setting, DensityUpdate density_update, bool is_averaged>
   class ParticleMotion
   {
   public:
@@ -29,8 +32,10 @@ namespace Sandglass
       Relocation<Setting::cell_type>::margin;
 
     ParticleMotion(const StressUpdate<density_update> &stress_update,
+                   const VolumetricAverage<Setting>   &volumetric_average,
                    const double                        time_step)
       : stress_update(stress_update)
+      , volumetric_average(volumetric_average)
       , time_step(time_step)
     {}
 
@@ -71,9 +76,9 @@ namespace Sandglass
       // On plane triangles all particles of a cell deform alike.
       constexpr bool is_uniform =
         Setting::has_constant_gradients && !Setting::has_hoop_strain;
-      Deformation common;
+      Deformations common;
       if constexpr (is_uniform)
-        common = deformation(shape, velocities, {}, {}, 1.);
+        common = deformations(cell, shape, velocities, {}, {}, 1.);
 
       for (auto particle = particles.begin(); particle != particles.end();
            ++particle)
@@ -84,12 +89,14 @@ namespace Sandglass
           const Tensor<1, dim> velocity  = interpolate(velocities, values);
 
           if constexpr (!is_uniform)
-            common =
-              deformation(shape, velocities, reference, velocity, location[0]);
-          stress_update(particle->get_properties().data(),
-                        common.elastic_stress,
-                        common.spin,
-                        common.inverse_jacobian,
+            common = deformations(
+              cell, shape, velocities, reference, velocity, location[0]);
+          double *state = particle->get_properties().data();
+          update_stress(state,
+                        is_averaged && volumetric_average.is_stressed(
+                                         state[Property::density]) ?
+                          common.averaged :
+                          common.own,
                         dissipation);
 
           const Point<dim> new_location  = location + time_step * velocity;
@@ -109,24 +116,56 @@ namespace Sandglass
       double           inverse_jacobian;
     };
 
+    /// With the particle's own change of volume and with the cell's average.
+    struct Deformations
+    {
+      Deformation own;
+      Deformation averaged;
+    };
+
+    void
+    update_stress(double            *state,
+                  const Deformation &deformation,
+                  double            &dissipation) const
+    {
+      stress_update(state,
+                    deformation.elastic_stress,
+                    deformation.spin,
+                    deformation.inverse_jacobian,
+                    dissipation);
+    }
+
     Deformation
-    deformation(const Shape          &shape,
-                const VelocityOfCell &velocities,
-                const Point<dim>     &reference,
-                const Tensor<1, dim> &velocity,
-                const double          radius) const
+    deformation(const DeformationIncrement &increment) const
+    {
+      return {stress_update.law.elasticity.stress(increment.strain),
+              increment.spin,
+              1. / increment.jacobian};
+    }
+
+    Deformations
+    deformations(const unsigned int    cell,
+                 const Shape          &shape,
+                 const VelocityOfCell &velocities,
+                 const Point<dim>     &reference,
+                 const Tensor<1, dim> &velocity,
+                 const double          radius) const
     {
       const double hoop =
         Setting::has_hoop_strain ? time_step * velocity[0] / radius : 0.;
       const DeformationIncrement increment(
         time_step * gradient_of(velocities, shape.shape_gradients(reference)),
         hoop);
-      return {stress_update.law.elasticity.stress(increment.strain),
-              increment.spin,
-              1. / increment.jacobian};
+      Deformations result;
+      result.own = deformation(increment);
+      if constexpr (is_averaged)
+        result.averaged = deformation(increment.with_volume_change(
+          time_step * volumetric_average.rate(cell)));
+      return result;
     }
 
     const StressUpdate<density_update> &stress_update;
+    const VolumetricAverage<Setting>   &volumetric_average;
     const double                        time_step;
   };
 } // namespace Sandglass

@@ -18,6 +18,13 @@ namespace Sandglass
     separation, ///< the paper's; stress only while denser than the material's
   };
 
+  /// Which change of volume a stressed particle feels.
+  enum class VolumetricStrain
+  {
+    element, ///< that of v^L in its cell, as in the paper
+    averaged ///< over its cell's neighbours, against locking
+  };
+
   /// Section `Particle stage`: the explicit particle-in-cell stage.
   class ParticleStageParameters : public dealii::ParameterAcceptor
   {
@@ -35,19 +42,20 @@ namespace Sandglass
     double       time_step_safety   = 0.8;
     unsigned int time_step_interval = 20;
     /// alpha of the mass matrix alpha M + (1 - alpha) M_I (Section 3)
-    double consistent_mass_share = 0.;
-
-    /// Steps after which the automatic step is found anew.
-    unsigned int
-                   automatic_step_interval() const;
-    DensityUpdate  density_update   = DensityUpdate::separation;
-    OnLostParticle on_lost_particle = OnLostParticle::stop;
-    double         largest_speed    = 10.;
+    double           consistent_mass_share = 0.;
+    VolumetricStrain volumetric_strain     = VolumetricStrain::element;
+    DensityUpdate    density_update        = DensityUpdate::separation;
+    OnLostParticle   on_lost_particle      = OnLostParticle::stop;
+    double           largest_speed         = 10.;
 
     /// Whether the step follows the critical step instead of a table.
     bool has_automatic_time_step = true;
     /// Start times and steps in s, in order of time; empty if automatic.
     std::vector<std::pair<double, double>> time_steps;
+
+    /// Steps after which the automatic step is found anew.
+    unsigned int
+    automatic_step_interval() const;
 
     /// Throws InputError where the time step can't be read.
     void
