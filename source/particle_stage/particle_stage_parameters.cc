@@ -50,6 +50,15 @@ namespace Sandglass
                "Share alpha of the consistent mass matrix M in alpha M + (1 - "
                "alpha) M_I; 0 takes the lumped one, M_I, which needs no "
                "solver.");
+    add_selection<StressIntegration>(
+      *this,
+      "Stress integration",
+      stress_integration,
+      {{"start of step", StressIntegration::start_of_step},
+       {"middle of step", StressIntegration::middle_of_step}},
+      "Configuration in which a step's strain and rotation are taken: its start "
+      "(paper), or its middle with an exact rotation (Hughes and Winget 1980), "
+      "which keeps the stress in a rigid rotation.");
     add_selection<VolumetricStrain>(
       *this,
       "Volumetric strain",

@@ -85,9 +85,8 @@ namespace
       const StressUpdate<DensityUpdate::paper> update(
         fixture.material.drucker_prager(), fixture.material.density);
       std::vector<Stray> strays;
-      ParticleMotion<CellSetting, DensityUpdate::paper, true>(update,
-                                                              average,
-                                                              time_step)
+      ParticleMotion<CellSetting, DensityUpdate::paper, true>(
+        update, average, StressIntegration::start_of_step, time_step)
         .compute(fixture.stage->cloud, geometry, velocity, strays);
     }
 

@@ -71,6 +71,56 @@ namespace Sandglass
             0.,
             (stress[Component::xx] - stress[Component::yy]) * spin};
   }
+
+
+
+  /**
+   * How one step turns stress in the plane: the deviatoric pair (d, t) = ((s_xx
+   * - s_yy) / 2, s_xy) becomes (cosine d - sine t, sine d + cosine t).
+   */
+  struct StressRotation
+  {
+    double cosine = 1.;
+    double sine   = 0.;
+
+    /// As jaumann_rotation(): first order, the stress grows a little.
+    static StressRotation
+    forward_euler(const double spin)
+    {
+      return {1., 2. * spin};
+    }
+
+    /**
+     * By the angle theta of tan(theta / 2) = spin / 2 (Hughes and Winget 1980),
+     * which is the exact one if `spin` is that of the increment's middle.
+     */
+    static StressRotation
+    hughes_winget(const double spin)
+    {
+      const StressRotation half = half_hughes_winget(spin);
+      return {half.cosine * half.cosine - half.sine * half.sine,
+              2. * half.sine * half.cosine};
+    }
+
+    /// Half as far: from the middle of the step to its end.
+    static StressRotation
+    half_hughes_winget(const double spin)
+    {
+      const double t = 0.5 * spin;
+      return {(1. - t * t) / (1. + t * t), 2. * t / (1. + t * t)};
+    }
+  };
+
+  inline SymmetricTensor4
+  rotate(const SymmetricTensor4 &stress, const StressRotation &rotation)
+  {
+    const double mean  = 0.5 * (stress[Component::xx] + stress[Component::yy]);
+    const double d     = 0.5 * (stress[Component::xx] - stress[Component::yy]);
+    const double t     = stress[Component::xy];
+    const double new_d = rotation.cosine * d - rotation.sine * t;
+    const double new_t = rotation.sine * d + rotation.cosine * t;
+    return {mean + new_d, mean - new_d, stress[Component::zz], new_t};
+  }
 } // namespace Sandglass
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <sandglass/material/stress.h>
 #include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/particle_stage/particle_stage_parameters.h>
 
 namespace Sandglass
 {
@@ -10,23 +11,36 @@ namespace Sandglass
   struct DeformationIncrement
   {
     SymmetricTensor4 strain; ///< tensor components
-    double           spin;   ///< omega_xy, in rad
+    StressRotation   rotation;
     double           jacobian;
 
     /**
-     * @param gradient  of the displacement increment, du_i/dx_j
+     * @param gradient  of the displacement increment, du_i/dx_j, x at the start
      * @param hoop      u_x / x, zero in plane strain
      */
-    DeformationIncrement(const Tensor<2, dim> &gradient, const double hoop)
-      : strain(gradient[0][0],
-               gradient[1][1],
-               hoop,
-               0.5 * (gradient[0][1] + gradient[1][0]))
-      , spin(0.5 * (gradient[1][0] - gradient[0][1]))
-      , jacobian(((1. + gradient[0][0]) * (1. + gradient[1][1]) -
+    DeformationIncrement(
+      const Tensor<2, dim>   &gradient,
+      const double            hoop,
+      const StressIntegration integration = StressIntegration::start_of_step)
+      : jacobian(((1. + gradient[0][0]) * (1. + gradient[1][1]) -
                   gradient[0][1] * gradient[1][0]) *
                  (1. + hoop))
-    {}
+    {
+      if (integration == StressIntegration::start_of_step)
+        {
+          set_strain(gradient, hoop);
+          rotation = StressRotation::forward_euler(spin(gradient));
+          return;
+        }
+      Tensor<2, dim> middle = 0.5 * gradient; // dx_middle / dx
+      for (unsigned int d = 0; d < dim; ++d)
+        middle[d][d] += 1.;
+      const Tensor<2, dim> middle_gradient = gradient * invert(middle);
+      set_strain(middle_gradient, hoop / (1. + 0.5 * hoop));
+      const double middle_spin = spin(middle_gradient);
+      rotation                 = StressRotation::hughes_winget(middle_spin);
+      strain = rotate(strain, StressRotation::half_hughes_winget(middle_spin));
+    }
 
     /// The same with another change of volume, theta = tr(strain).
     DeformationIncrement
@@ -38,6 +52,23 @@ namespace Sandglass
       result.strain += difference / 3. * SymmetricTensor4(1., 1., 1., 0.);
       result.jacobian *= 1. + difference;
       return result;
+    }
+
+  private:
+    void
+    set_strain(const Tensor<2, dim> &gradient, const double hoop)
+    {
+      strain = {gradient[0][0],
+                gradient[1][1],
+                hoop,
+                0.5 * (gradient[0][1] + gradient[1][0])};
+    }
+
+    /// omega_xy, in rad, positive counterclockwise
+    static double
+    spin(const Tensor<2, dim> &gradient)
+    {
+      return 0.5 * (gradient[1][0] - gradient[0][1]);
     }
   };
 

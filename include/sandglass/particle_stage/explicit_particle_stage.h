@@ -131,7 +131,10 @@ namespace Sandglass
     move()
     {
       return ParticleMotion<Setting, density_update, is_averaged>(
-               stress_update, volumetric_average, clock.time_step)
+               stress_update,
+               volumetric_average,
+               parameters.stress_integration,
+               clock.time_step)
         .compute(cloud, geometry, fields.mapped_velocity, strays);
     }
 

@@ -33,9 +33,11 @@ namespace Sandglass
 
     ParticleMotion(const StressUpdate<density_update> &stress_update,
                    const VolumetricAverage<Setting>   &volumetric_average,
+                   const StressIntegration             integration,
                    const double                        time_step)
       : stress_update(stress_update)
       , volumetric_average(volumetric_average)
+      , integration(integration)
       , time_step(time_step)
     {}
 
@@ -112,7 +114,7 @@ namespace Sandglass
     struct Deformation
     {
       SymmetricTensor4 elastic_stress;
-      double           spin;
+      StressRotation   rotation;
       double           inverse_jacobian;
     };
 
@@ -130,7 +132,7 @@ namespace Sandglass
     {
       stress_update(state,
                     deformation.elastic_stress,
-                    deformation.spin,
+                    deformation.rotation,
                     deformation.inverse_jacobian,
                     dissipation);
     }
@@ -139,7 +141,7 @@ namespace Sandglass
     deformation(const DeformationIncrement &increment) const
     {
       return {stress_update.law.elasticity.stress(increment.strain),
-              increment.spin,
+              increment.rotation,
               1. / increment.jacobian};
     }
 
@@ -155,7 +157,8 @@ namespace Sandglass
         Setting::has_hoop_strain ? time_step * velocity[0] / radius : 0.;
       const DeformationIncrement increment(
         time_step * gradient_of(velocities, shape.shape_gradients(reference)),
-        hoop);
+        hoop,
+        integration);
       Deformations result;
       result.own = deformation(increment);
       if constexpr (is_averaged)
@@ -166,6 +169,7 @@ namespace Sandglass
 
     const StressUpdate<density_update> &stress_update;
     const VolumetricAverage<Setting>   &volumetric_average;
+    const StressIntegration             integration;
     const double                        time_step;
   };
 } // namespace Sandglass

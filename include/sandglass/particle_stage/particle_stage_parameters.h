@@ -18,6 +18,13 @@ namespace Sandglass
     separation, ///< the paper's; stress only while denser than the material's
   };
 
+  /// The configuration in which a step's strain and rotation are taken.
+  enum class StressIntegration
+  {
+    start_of_step, ///< first order, as in the paper (Section 4.1)
+    middle_of_step ///< second order; a rigid rotation leaves no strain
+  };
+
   /// Which change of volume a stressed particle feels.
   enum class VolumetricStrain
   {
@@ -42,11 +49,12 @@ namespace Sandglass
     double       time_step_safety   = 0.8;
     unsigned int time_step_interval = 20;
     /// alpha of the mass matrix alpha M + (1 - alpha) M_I (Section 3)
-    double           consistent_mass_share = 0.;
-    VolumetricStrain volumetric_strain     = VolumetricStrain::element;
-    DensityUpdate    density_update        = DensityUpdate::separation;
-    OnLostParticle   on_lost_particle      = OnLostParticle::stop;
-    double           largest_speed         = 10.;
+    double            consistent_mass_share = 0.;
+    VolumetricStrain  volumetric_strain     = VolumetricStrain::element;
+    StressIntegration stress_integration    = StressIntegration::start_of_step;
+    DensityUpdate     density_update        = DensityUpdate::separation;
+    OnLostParticle    on_lost_particle      = OnLostParticle::stop;
+    double            largest_speed         = 10.;
 
     /// Whether the step follows the critical step instead of a table.
     bool has_automatic_time_step = true;

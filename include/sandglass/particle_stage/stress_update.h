@@ -40,7 +40,7 @@ namespace Sandglass
     void
     operator()(double                 *state,
                const SymmetricTensor4 &elastic_increment,
-               const double            spin,
+               const StressRotation   &rotation,
                const double            inverse_jacobian,
                double                 &dissipation) const
     {
@@ -58,9 +58,8 @@ namespace Sandglass
             return;
           }
 
-      SymmetricTensor4 stress = stored_stress +
-                                jaumann_rotation(stored_stress, spin) +
-                                elastic_increment;
+      SymmetricTensor4 stress =
+        rotate(stored_stress, rotation) + elastic_increment;
       double dissipation_density = 0.;
       law.project(stress, dissipation_density);
       stored_stress = stress;
