@@ -93,7 +93,8 @@ TEST(BoundaryNodes, AFreeLipIsNotSupported)
                                Formulation::plane_strain,
                                fixture.walls);
   };
-  const auto with_lip = find();
+  fixture.walls.outlet_lip = WallParameters::OutletLip::floor;
+  const auto with_lip      = find();
   ASSERT_NE(node_at(with_lip, {0., 0.}), nullptr);
   EXPECT_TRUE(node_at(with_lip, {0., 0.})->is_outlet_lip);
 

@@ -104,6 +104,7 @@ TEST_P(WholeSilo, LipsAndCornersOnBothSides)
     mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
   EXPECT_EQ(scene.symmetry_factor, 1.);
 
+  walls.outlet_lip     = WallParameters::OutletLip::floor;
   unsigned int n_fixed = 0, n_corners = 0;
   for (const auto &node :
        find_boundary_nodes(scene.dof_handler, scene.formulation, walls))
