@@ -2,8 +2,8 @@
 random numbers."""
 import run_output
 from plots import STYLE, plt, save
-from runs import make_all
-from seed_cases import ALGORITHMS, END_TIMES, NAME, SEEDS, runs, seed_run
+from runs import SILOS, make_all
+from seed_cases import ALGORITHMS, NAME, SEEDS, runs, seed_run
 from tables import TITLES, markdown, number
 from traction_tables import integral_along, rows_at
 
@@ -22,7 +22,7 @@ def make_runs():
 
 def results():
     rows = []
-    for silo in END_TIMES:
+    for silo in SILOS:
         for algorithm in ALGORITHMS:
             for seed in SEEDS:
                 run = seed_run(silo, algorithm, seed)
@@ -61,7 +61,7 @@ def percent(values):
 
 def spreads(rows):
     lines = []
-    for silo in END_TIMES:
+    for silo in SILOS:
         for quantity, title in QUANTITIES.items():
             values = values_of(rows, silo, quantity)
             if values:
@@ -108,7 +108,7 @@ def legend_of(axes):
 
 def draw_quantity(axes, rows, quantity):
     axes.axhspan(0.985, 1.015, color="#dddddd", linewidth=0)
-    for place, silo in enumerate(END_TIMES):
+    for place, silo in enumerate(SILOS):
         values = values_of(rows, silo, quantity)
         for i, algorithm in enumerate(ALGORITHMS):
             own = values_of(rows, silo, quantity, (algorithm,))
@@ -116,7 +116,7 @@ def draw_quantity(axes, rows, quantity):
                       [len(values) * value / sum(values) for value in own],
                       "o", markersize=4, color=ALGORITHM_COLORS[algorithm],
                       label=algorithm)
-    axes.set_xticks(range(len(END_TIMES)),
+    axes.set_xticks(range(len(SILOS)),
                     [TITLES[silo].replace(", ", "\n").replace(
                         "axisymmetric", "axi-\nsymmetric")
-                     for silo in END_TIMES], fontsize=7)
+                     for silo in SILOS], fontsize=7)

@@ -14,6 +14,8 @@ from sweep_cases import (AXISYMMETRIC, LIPS, NAME, PLANE, SILOS, runs,
 from tables import markdown, number
 
 LIP_COLORS = {"floor": "#1d3557", "free": "#c9822a"}
+MARKERS = {"plane": "o", "plane-similar": "s", "plane-fine": "^",
+           "axisymmetric": "o"}
 
 
 class Fit(NamedTuple):
@@ -49,11 +51,30 @@ def row_of(key, lip, outlet, directory):
     left = summary["mass_in_silo_kg"] / summary["mass_initial_kg"]
     return {"silo": key, "lip": lip, "outlet_width_m": 2 * outlet,
             "outlet_width_elements": 2 * outlet / silo.element,
-            "outlet_over_silo_width": outlet / silo.half_width,
+            "outlet_over_silo_width": silo.relative_outlet(outlet),
             "steady_flow_rate_kg_per_s": summary["steady_flow_rate_kg_per_s"],
             "steady_flow_start_s": summary["steady_flow_start_s"],
             "steady_flow_end_s": summary["steady_flow_end_s"],
-            "mass_left_share": left, "status": summary["status"]}
+            "over_beverloo": (summary["steady_flow_rate_kg_per_s"] /
+                              beverloo(directory)),
+            "drift": drift(directory, summary), "mass_left_share": left, "status": summary["status"]}
+
+
+def beverloo(directory):
+    """The rate of the formula without grain size."""
+    table = run_output.read_table(directory, "flow_rate.csv")
+    return table["beverloo_0_kg_per_s"][0]
+
+
+def drift(directory, summary):
+    """The rate in the later half of the steady stretch over that in the
+    earlier one, less 1."""
+    table = run_output.read_table(directory, "flow_rate.csv")
+    start, end = (summary[f"steady_flow_{word}_s"] for word in
+                  ("start", "end"))
+    mass = numpy.interp([start, 0.5 * (start + end), end], table["time_s"],
+                        table["discharged_mass_kg"])
+    return (mass[2] - mass[1]) / (mass[1] - mass[0]) - 1.
 
 
 def select(rows, key, lip):
@@ -112,24 +133,27 @@ def rates(rows, keys):
     unit = "kg/(s m)" if SILOS[keys[0]].is_plane else "kg/s"
     lines = []
     for key in keys:
-        for outlet in SILOS[key].outlets:
-            line = []
+        silo = SILOS[key]
+        for outlet in silo.outlets:
+            line = [silo.title, f"{2 * outlet:g}",
+                    f"{2 * outlet / silo.element:g}",
+                    f"{silo.relative_outlet(outlet):.2f}"]
             for lip in LIPS:
-                row = next((row for row in select(rows, key, lip)
-                            if row["outlet_width_m"] == 2 * outlet), None)
-                if row is None:
-                    line += ["–", "–"]
-                    continue
-                line += [number(row["steady_flow_rate_kg_per_s"]),
-                         f"{row['steady_flow_start_s']:.2f} to "
-                         f"{row['steady_flow_end_s']:.2f}"]
-            silo = SILOS[key]
-            lines.append([silo.title, f"{2 * outlet:g}",
-                          f"{2 * outlet / silo.element:g}",
-                          f"{outlet / silo.half_width:.2f}"] + line)
-    return markdown(["silo", "outlet D, m", "D, elements", "D / silo's width",
-                     f"lip on the floor, {unit}", "steady, s",
-                     f"free lip, {unit}", "steady, s"], lines)
+                line += rate_cells(row for row in select(rows, key, lip)
+                                   if row["outlet_width_m"] == 2 * outlet)
+            lines.append(line)
+    head = ["silo", "outlet D, m", "D, elements", "D / silo's width"]
+    for lip in ("lip on the floor", "free lip"):
+        head += [f"{lip}, {unit}", "over Beverloo's", "drift"]
+    return markdown(head, lines)
+
+
+def rate_cells(rows):
+    row = next(rows, None)
+    if row is None:
+        return 3 * ["–"]
+    return [number(row["steady_flow_rate_kg_per_s"]),
+            f"{row['over_beverloo']:.2f}", f"{100 * row['drift']:+.0f} %"]
 
 
 def parts(rows):
@@ -139,33 +163,40 @@ def parts(rows):
             for table in (fits, rates)}
 
 
-def draw_panel(axes, rows, key):
-    silo = SILOS[key]
-    for lip in LIPS:
-        chosen = select(rows, key, lip)
-        if len(chosen) < 4:
-            continue
-        free = fit(chosen, silo.element)
-        width = numpy.array([row["outlet_width_m"] for row in chosen])
-        line = numpy.linspace(width[0], width[-1], 100)
-        axes.loglog(width, [row["steady_flow_rate_kg_per_s"]
-                            for row in chosen], "o", color=LIP_COLORS[lip],
-                    markersize=5)
-        axes.loglog(line, free.rate(line, silo.element),
-                    color=LIP_COLORS[lip], linewidth=1.2,
-                    label=f"lip: {lip}, n = {free.exponent:.2f}, "
-                          f"k = {free.offset:.1f}")
-    axes.set_title(silo.title, fontsize=11)
-    axes.set_xlabel("outlet's width, m")
-    axes.set_ylabel("steady flow rate, " +
-                    ("kg/(s m)" if silo.is_plane else "kg/s"))
-    axes.legend(frameon=False, fontsize=8)
+def draw_panel(axes, rows, keys):
+    for key in keys:
+        silo = SILOS[key]
+        for lip in LIPS:
+            chosen = select(rows, key, lip)
+            if len(chosen) < 4:
+                continue
+            width = numpy.array([row["outlet_width_elements"]
+                                 for row in chosen])
+            style = {"color": LIP_COLORS[lip], "marker": MARKERS[key]}
+            axes.plot(width, [row["over_beverloo"] for row in chosen],
+                      linestyle="", markersize=5, **style)
+            # Beverloo's rate is a multiple of D^n.
+            factor = (chosen[0]["over_beverloo"] /
+                      chosen[0]["steady_flow_rate_kg_per_s"] *
+                      chosen[0]["outlet_width_m"]**silo.exponent)
+            line = numpy.linspace(width[0], width[-1], 100)
+            rate = fit(chosen, silo.element).rate(line * silo.element,
+                                                  silo.element)
+            axes.plot(line, factor * rate /
+                      (line * silo.element)**silo.exponent,
+                      color=LIP_COLORS[lip], linewidth=1)
+            axes.plot([], [], label=f"{silo.title}, lip: {lip}", **style)
+    axes.set_ylim(0, None)
+    axes.set_xlabel("outlet's width, elements")
+    if axes.lines:
+        axes.legend(frameon=False, fontsize=8)
 
 
 def draw(rows):
     with plt.rc_context(STYLE):
-        figure, panels = plt.subplots(1, len(SILOS), layout="constrained",
-                                      figsize=(3.6 * len(SILOS), 3.8))
-        for axes, key in zip(panels, SILOS):
-            draw_panel(axes, rows, key)
+        figure, panels = plt.subplots(1, 2, layout="constrained",
+                                      figsize=(10, 4), sharey=True)
+        for axes, keys in zip(panels, (PLANE, AXISYMMETRIC)):
+            draw_panel(axes, rows, keys)
+        panels[0].set_ylabel("steady rate over Beverloo's, d/D = 0")
         save(figure, NAME + ".png")
