@@ -85,12 +85,6 @@ def flow(rows):
           row["outcome"]] for row in rows])
 
 
-def messages(rows):
-    lines = [[f"{row['share']:g}", row["message"]] for row in rows
-             if row["message"]]
-    return markdown(["share", "message"], lines or [["–", "none"]])
-
-
 def bar(_):
     """From what the test of the bar prints."""
     if not BAR_OUTPUT.exists():
@@ -104,7 +98,7 @@ def bar(_):
 
 
 def parts(rows):
-    return {part.__name__: part(rows) for part in (flow, messages, bar)}
+    return {part.__name__: part(rows) for part in (flow, bar)}
 
 
 def draw(rows):

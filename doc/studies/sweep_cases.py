@@ -51,7 +51,7 @@ SILOS = {
     "plane-fine": Silo("plane, similar, fine mesh", PLANE_SCENE, 0.8, 1.7,
                        0.65, 1.2, 0.0125, FINE_OUTLETS, 0.2),
     "axisymmetric": Silo("axisymmetric", AXISYMMETRIC_SCENE, 0.15, 0.35,
-                         0.075, 0.7, 0.003125, AXISYMMETRIC_OUTLETS),
+                         0.075, 0.55, 0.003125, AXISYMMETRIC_OUTLETS),
 }
 PLANE = tuple(key for key, silo in SILOS.items() if silo.is_plane)
 AXISYMMETRIC = tuple(key for key, silo in SILOS.items() if not silo.is_plane)
