@@ -113,7 +113,7 @@ def draw(rows):
         for axes, (column, title) in zip(panels, columns):
             axes.plot(shares, [row[column] for row in rows], "o-",
                       color="#1d3557", linewidth=1.2, markersize=4)
-            axes.set_ylim(0, None)
+            axes.set_ylim(0, 1.06 * max(row[column] for row in rows))
             axes.set_xlabel("consistent mass share")
             axes.set_title(title, fontsize=11)
         save(figure, NAME + ".png")

@@ -2,9 +2,9 @@
 random numbers."""
 import run_output
 from plots import STYLE, plt, save
-from runs import SILOS, make_all
-from seed_cases import ALGORITHMS, NAME, SEEDS, runs, seed_run
-from tables import TITLES, markdown, number
+from runs import make_all
+from seed_cases import ALGORITHMS, CASES, NAME, SEEDS, runs, seed_run
+from tables import markdown, number
 from traction_tables import integral_along, rows_at
 
 QUANTITIES = {
@@ -22,7 +22,7 @@ def make_runs():
 
 def results():
     rows = []
-    for silo in SILOS:
+    for silo in CASES:
         for algorithm in ALGORITHMS:
             for seed in SEEDS:
                 run = seed_run(silo, algorithm, seed)
@@ -61,12 +61,12 @@ def percent(values):
 
 def spreads(rows):
     lines = []
-    for silo in SILOS:
+    for silo in CASES:
         for quantity, title in QUANTITIES.items():
             values = values_of(rows, silo, quantity)
             if values:
                 lines.append(
-                    [TITLES[silo], title, len(values),
+                    [CASES[silo], title, len(values),
                      number(sum(values) / len(values)),
                      *(percent(values_of(rows, silo, quantity, (algorithm,)))
                        for algorithm in ALGORITHMS), percent(values)])
@@ -76,7 +76,7 @@ def spreads(rows):
 
 
 def meshes(rows):
-    lines = [[TITLES[row["silo"]], row["algorithm"], row["seed"],
+    lines = [[CASES[row["silo"]], row["algorithm"], row["seed"],
               row["cells"], *(number(row[quantity])
                               for quantity in QUANTITIES)] for row in rows]
     return markdown(["silo, mesh 3", "algorithm", "seed", "elements",
@@ -90,7 +90,7 @@ def parts(rows):
 def draw(rows):
     """Each mesh's result over the mean of its silo."""
     with plt.rc_context(STYLE):
-        figure, panels = plt.subplots(1, len(QUANTITIES), figsize=(11, 3.2),
+        figure, panels = plt.subplots(1, len(QUANTITIES), figsize=(13, 3.2),
                                       sharey=True, layout="constrained")
         for axes, (quantity, title) in zip(panels, QUANTITIES.items()):
             draw_quantity(axes, rows, quantity)
@@ -108,7 +108,7 @@ def legend_of(axes):
 
 def draw_quantity(axes, rows, quantity):
     axes.axhspan(0.985, 1.015, color="#dddddd", linewidth=0)
-    for place, silo in enumerate(SILOS):
+    for place, silo in enumerate(CASES):
         values = values_of(rows, silo, quantity)
         for i, algorithm in enumerate(ALGORITHMS):
             own = values_of(rows, silo, quantity, (algorithm,))
@@ -116,7 +116,8 @@ def draw_quantity(axes, rows, quantity):
                       [len(values) * value / sum(values) for value in own],
                       "o", markersize=4, color=ALGORITHM_COLORS[algorithm],
                       label=algorithm)
-    axes.set_xticks(range(len(SILOS)),
-                    [TITLES[silo].replace(", ", "\n").replace(
+    axes.set_xlim(-0.5, len(CASES) - 0.5)
+    axes.set_xticks(range(len(CASES)),
+                    [CASES[silo].replace(", ", "\n").replace(
                         "axisymmetric", "axi-\nsymmetric")
-                     for silo in SILOS], fontsize=7)
+                     for silo in CASES], fontsize=6)

@@ -1,23 +1,31 @@
 """The runs of the study of mesh seeds."""
 from study_runs import WITHOUT_FIELDS, auto_scene, study_run
-from runs import SILOS, Run
+from runs import SILOS, Run, lip_run
+from tables import TITLES
 
 NAME = "mesh-seeds"
 SEEDS = (1, 2, 3)
 ALGORITHMS = ("Frontal-Delaunay", "Delaunay")
+FREE_LIP = "plane-flat-bottom-free-lip"
+CASES = {SILOS[0]: TITLES[SILOS[0]],
+         FREE_LIP: TITLES[SILOS[0]] + ", free lip",
+         **{silo: TITLES[silo] for silo in SILOS[1:]}}
 
 
-def seed_run(silo, algorithm, seed):
+def seed_run(case, algorithm, seed):
     """Gmsh's usual choice is that of the scene's own run."""
-    scene = auto_scene(silo, 3)
+    has_free_lip = case == FREE_LIP
+    scene = auto_scene(SILOS[0] if has_free_lip else case, 3)
     if (algorithm, seed) == (ALGORITHMS[0], SEEDS[0]):
-        return Run(scene, scene)
-    run = study_run(NAME, f"{silo}-{algorithm}-{seed}", scene,
-                    (("Scene/Mesh algorithm", algorithm),
-                     ("Scene/Mesh seed", seed)))
+        return lip_run(3, "free") if has_free_lip else Run(scene, scene)
+    settings = [("Scene/Mesh algorithm", algorithm),
+                ("Scene/Mesh seed", seed)]
+    if has_free_lip:
+        settings.append(("Walls/Outlet lip", "free"))
+    run = study_run(NAME, f"{case}-{algorithm}-{seed}", scene, settings)
     return run._replace(settings=run.settings + WITHOUT_FIELDS)
 
 
 def runs():
-    return [seed_run(silo, algorithm, seed) for silo in SILOS
+    return [seed_run(case, algorithm, seed) for case in CASES
             for algorithm in ALGORITHMS for seed in SEEDS]
