@@ -41,7 +41,7 @@ def measured(silo, directory):
         "steady_flow_rate_kg_per_s": summary["steady_flow_rate_kg_per_s"],
         "flow_rate_plateau_kg_per_s": summary["flow_rate_plateau_kg_per_s"],
         "discharge_time_s": (summary["discharge_time_s"]
-                             if silo.endswith("hopper") else None),
+                             if silo == "plane-hopper" else None),
         "wall_pressure_at_rest_N_per_m": integral_along(wall, "normal_Pa")}
 
 
