@@ -14,6 +14,7 @@ from sweep_cases import (AXISYMMETRIC, LIPS, NAME, PLANE, SILOS, runs,
 from tables import markdown, number
 
 LIP_COLORS = {"floor": "#1d3557", "free": "#c9822a"}
+FEWEST = 4  # widths for a fit
 MARKERS = {"plane": "o", "plane-similar": "s", "plane-fine": "^",
            "axisymmetric": "o"}
 
@@ -112,7 +113,7 @@ def fits(rows, keys):
         silo = SILOS[key]
         for lip in LIPS:
             chosen = select(rows, key, lip)
-            if len(chosen) < 4:
+            if len(chosen) < FEWEST:
                 continue
             free = fit(chosen, silo.element)
             fixed = fit(chosen, silo.element, silo.exponent)
@@ -163,33 +164,34 @@ def parts(rows):
             for table in (fits, rates)}
 
 
+def draw_silo(axes, chosen, key, lip):
+    silo = SILOS[key]
+    width = numpy.array([row["outlet_width_elements"] for row in chosen])
+    style = {"color": LIP_COLORS[lip], "marker": MARKERS[key]}
+    axes.plot(width, [row["over_beverloo"] for row in chosen], linestyle="",
+              markersize=5, label=f"{silo.title}, lip: {lip}", **style)
+    if len(chosen) < FEWEST:
+        return
+    # Beverloo's rate is a multiple of D^n.
+    factor = (chosen[0]["over_beverloo"] /
+              chosen[0]["steady_flow_rate_kg_per_s"] *
+              chosen[0]["outlet_width_m"]**silo.exponent)
+    line = silo.element * numpy.linspace(width[0], width[-1], 100)
+    rate = fit(chosen, silo.element).rate(line, silo.element)
+    axes.plot(line / silo.element, factor * rate / line**silo.exponent,
+              color=LIP_COLORS[lip], linewidth=1)
+
+
 def draw_panel(axes, rows, keys):
     for key in keys:
-        silo = SILOS[key]
         for lip in LIPS:
             chosen = select(rows, key, lip)
-            if len(chosen) < 4:
-                continue
-            width = numpy.array([row["outlet_width_elements"]
-                                 for row in chosen])
-            style = {"color": LIP_COLORS[lip], "marker": MARKERS[key]}
-            axes.plot(width, [row["over_beverloo"] for row in chosen],
-                      linestyle="", markersize=5, **style)
-            # Beverloo's rate is a multiple of D^n.
-            factor = (chosen[0]["over_beverloo"] /
-                      chosen[0]["steady_flow_rate_kg_per_s"] *
-                      chosen[0]["outlet_width_m"]**silo.exponent)
-            line = numpy.linspace(width[0], width[-1], 100)
-            rate = fit(chosen, silo.element).rate(line * silo.element,
-                                                  silo.element)
-            axes.plot(line, factor * rate /
-                      (line * silo.element)**silo.exponent,
-                      color=LIP_COLORS[lip], linewidth=1)
-            axes.plot([], [], label=f"{silo.title}, lip: {lip}", **style)
+            if chosen:
+                draw_silo(axes, chosen, key, lip)
     axes.set_ylim(0, None)
     axes.set_xlabel("outlet's width, elements")
     if axes.lines:
-        axes.legend(frameon=False, fontsize=8)
+        axes.legend(frameon=False, fontsize=8, loc="lower right")
 
 
 def draw(rows):

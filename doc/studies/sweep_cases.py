@@ -9,7 +9,7 @@ LIPS = ("floor", "free")
 PLANE_SCENE = auto_scene("plane-flat-bottom", 3)
 AXISYMMETRIC_SCENE = auto_scene("axisymmetric-flat-bottom", 3)
 PLANE_OUTLETS = (0.10, 0.15, 0.20, 0.25, 0.30, 0.35)
-FINE_OUTLETS = (0.10, 0.125, 0.15, 0.175, 0.20, 0.25)
+FINE_OUTLETS = (0.10, 0.125, 0.15)
 AXISYMMETRIC_OUTLETS = (0.025, 0.03125, 0.0375, 0.04375, 0.05, 0.0625)
 
 
