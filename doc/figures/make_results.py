@@ -1,9 +1,6 @@
 """Runs the scenes that the documentation shows, where that has not been done
 since the program changed, and makes its tables, plots and pictures anew.
 
-A page is a text of its own; only what stands between
-<!-- generated: NAME --> and <!-- end --> is replaced.
-
 usage: make_results.py [--no-runs]   (called by ./dev figures)
 """
 import re
@@ -12,9 +9,10 @@ import sys
 
 import plots
 import tables
+from pages import fill_all
 from run_output import has_ended
 from runs import OUTPUT, ROOT, SILOS, all_runs, make_all
-from traction_tables import tractions
+from traction_tables import sign_change, tractions
 
 DRAW_FLOW = ROOT / "build" / "release" / "figures" / "draw_flow"
 PLANE, AXISYMMETRIC = SILOS[:2], SILOS[2:]
@@ -44,6 +42,8 @@ def parts():
         "cone-times": tables.cone_times(),
         "density": tables.density(),
         "lip": tables.lip(),
+        "sign-change": sign_change("plane-flat-bottom-mesh-3-auto",
+                                   (0.2, 0.4, 0.6, 0.8, 1, 1.2, 1.5, 2, 2.5)),
     }
     for silo in SILOS:
         result["plateaus-" + silo] = tables.plateaus(silo)
@@ -75,31 +75,11 @@ def draw_pictures():
     plots.draw_flow_rates(AXISYMMETRIC, "figure-9.png", (2, 2))
 
 
-def fill(page, generated):
-    """Replace a page's generated parts."""
-    text = page.read_text(encoding="utf-8")
-
-    def replacement(match):
-        name = match.group(1)
-        if name not in generated:
-            raise SystemExit(f"{page}: nothing makes the part '{name}'")
-        content = generated[name]
-        if "\n" in content:
-            content = f"\n\n{content}\n\n"
-        return f"<!-- generated: {name} -->{content}<!-- end -->"
-    page.write_text(re.sub(r"<!-- generated: (\S+) -->.*?<!-- end -->",
-                           replacement, text, flags=re.DOTALL),
-                    encoding="utf-8")
-
-
 def main():
     if "--no-runs" not in sys.argv[1:]:
         make_all(all_runs())
     draw_pictures()
-    generated = parts()
-    for page in sorted((ROOT / "doc").rglob("*.md")):
-        if "<!-- generated:" in page.read_text(encoding="utf-8"):
-            fill(page, generated)
+    fill_all(parts())
 
 
 if __name__ == "__main__":

@@ -20,10 +20,11 @@ class Run(NamedTuple):
     name: str
     scene: str  # a file of prm/paper without .prm
     settings: tuple = ()
+    output: pathlib.Path = OUTPUT
 
     @property
     def directory(self):
-        return OUTPUT / self.name
+        return self.output / self.name
 
     @property
     def prm(self):

@@ -4,14 +4,17 @@ from runs import OUTPUT
 from tables import markdown, number
 
 
-def mean_along(rows, column):
-    """The mean over the arc length, by the trapezoidal rule."""
+def integral_along(rows, column):
+    """Over the arc length, by the trapezoidal rule."""
     rows = sorted(rows, key=lambda row: row["arc_length_m"])
-    length = rows[-1]["arc_length_m"] - rows[0]["arc_length_m"]
-    area = sum(0.5 * (a[column] + b[column]) *
+    return sum(0.5 * (a[column] + b[column]) *
                (b["arc_length_m"] - a["arc_length_m"])
                for a, b in zip(rows, rows[1:]))
-    return area / length
+
+
+def mean_along(rows, column):
+    lengths = [row["arc_length_m"] for row in rows]
+    return integral_along(rows, column) / (max(lengths) - min(lengths))
 
 
 def parts_of_walls(rows):
@@ -52,4 +55,26 @@ def tractions(name, times):
             line.append(f"{number(normal, '.3g')} / "
                         f"{number(tangential, '.3g')}")
         lines.append(line)
+    return markdown(head, lines)
+
+
+def sign_change(name, times):
+    """Where on the vertical wall the tangential traction is negative."""
+    head = ["time, s", "nodes with negative traction / all",
+            "between the heights, m", "lowest tangential traction, Pa",
+            "at the height, m"]
+    if not run_output.has_ended(OUTPUT / name):
+        return markdown(["not run"], [])
+    lines = []
+    for time in times:
+        wall = [row for row in rows_at(OUTPUT / name, time)
+                if row["wall"] == "wall"]
+        heights = [row["y_m"] for row in wall if row["tangential_Pa"] < 0]
+        lowest = min(wall, key=lambda row: row["tangential_Pa"])
+        line = [f"{time:g}", f"{len(heights)} / {len(wall)}"]
+        if heights:
+            line += [f"{min(heights):.3g} to {max(heights):.3g}",
+                     number(lowest["tangential_Pa"], ".0f"),
+                     number(lowest["y_m"], ".3g")]
+        lines.append(line + ["–"] * (len(head) - len(line)))
     return markdown(head, lines)

@@ -1,0 +1,123 @@
+"""How far the results of mesh 3 depend on the mesh generator's algorithm and
+random numbers."""
+import run_output
+from plots import STYLE, plt, save
+from runs import make_all
+from seed_cases import ALGORITHMS, CASES, NAME, SEEDS, runs, seed_run
+from tables import markdown, number
+from traction_tables import integral_along, rows_at
+
+QUANTITIES = {
+    "steady_flow_rate_kg_per_s": "steady flow rate, kg/(s m) or kg/s",
+    "flow_rate_plateau_kg_per_s": "plateau, kg/(s m) or kg/s",
+    "discharge_time_s": "discharge time, s",
+    "wall_pressure_at_rest_N_per_m": "wall pressure at rest, N/m",
+}
+ALGORITHM_COLORS = {"Frontal-Delaunay": "#1d3557", "Delaunay": "#c9822a"}
+
+
+def make_runs():
+    make_all(runs())
+
+
+def results():
+    rows = []
+    for silo in CASES:
+        for algorithm in ALGORITHMS:
+            for seed in SEEDS:
+                run = seed_run(silo, algorithm, seed)
+                if run_output.has_ended(run.directory):
+                    rows.append({"silo": silo, "algorithm": algorithm,
+                                 "seed": seed,
+                                 **measured(silo, run.directory)})
+    return rows
+
+
+def measured(silo, directory):
+    summary = run_output.read_summary(directory)
+    wall = [row for row in rows_at(directory, 0) if row["wall"] == "wall"]
+    return {
+        "cells": summary["cells"],
+        "steady_flow_rate_kg_per_s": summary["steady_flow_rate_kg_per_s"],
+        "flow_rate_plateau_kg_per_s": summary["flow_rate_plateau_kg_per_s"],
+        "discharge_time_s": (summary["discharge_time_s"]
+                             if silo == "plane-hopper" else None),
+        "wall_pressure_at_rest_N_per_m": integral_along(wall, "normal_Pa")}
+
+
+def spread(values):
+    """Largest less smallest over the mean."""
+    return (max(values) - min(values)) / (sum(values) / len(values))
+
+
+def values_of(rows, silo, quantity, algorithms=ALGORITHMS):
+    return [row[quantity] for row in rows if row["silo"] == silo and
+            row["algorithm"] in algorithms and row[quantity] is not None]
+
+
+def percent(values):
+    return f"{100 * spread(values):.1f} %" if len(values) > 1 else "–"
+
+
+def spreads(rows):
+    lines = []
+    for silo in CASES:
+        for quantity, title in QUANTITIES.items():
+            values = values_of(rows, silo, quantity)
+            if values:
+                lines.append(
+                    [CASES[silo], title, len(values),
+                     number(sum(values) / len(values)),
+                     *(percent(values_of(rows, silo, quantity, (algorithm,)))
+                       for algorithm in ALGORITHMS), percent(values)])
+    return markdown(["silo, mesh 3", "quantity", "meshes", "mean",
+                     *(f"spread, {name}" for name in ALGORITHMS),
+                     "spread, all"], lines)
+
+
+def meshes(rows):
+    lines = [[CASES[row["silo"]], row["algorithm"], row["seed"],
+              row["cells"], *(number(row[quantity])
+                              for quantity in QUANTITIES)] for row in rows]
+    return markdown(["silo, mesh 3", "algorithm", "seed", "elements",
+                     *QUANTITIES.values()], lines)
+
+
+def parts(rows):
+    return {"spreads": spreads(rows), "meshes": meshes(rows)}
+
+
+def draw(rows):
+    """Each mesh's result over the mean of its silo."""
+    with plt.rc_context(STYLE):
+        figure, panels = plt.subplots(1, len(QUANTITIES), figsize=(13, 3.2),
+                                      sharey=True, layout="constrained")
+        for axes, (quantity, title) in zip(panels, QUANTITIES.items()):
+            draw_quantity(axes, rows, quantity)
+            axes.set_title(title.split(",")[0], fontsize=11)
+        panels[0].set_ylabel("result over its mean")
+        panels[0].legend(*legend_of(panels[0]), frameon=False, fontsize=8)
+        save(figure, NAME + ".png")
+
+
+def legend_of(axes):
+    """Each label once."""
+    handles = dict(zip(*reversed(axes.get_legend_handles_labels())))
+    return list(handles.values()), list(handles)
+
+
+def draw_quantity(axes, rows, quantity):
+    axes.axhspan(0.985, 1.015, color="#dddddd", linewidth=0)
+    for place, silo in enumerate(CASES):
+        values = values_of(rows, silo, quantity)
+        for i, algorithm in enumerate(ALGORITHMS):
+            own = values_of(rows, silo, quantity, (algorithm,))
+            axes.plot(len(own) * [place + 0.2 * i - 0.1],
+                      [len(values) * value / sum(values) for value in own],
+                      "o", markersize=4, color=ALGORITHM_COLORS[algorithm],
+                      label=algorithm)
+    axes.set_xlim(-0.5, len(CASES) - 0.5)
+    axes.set_xticks(range(len(CASES)),
+                    [CASES[silo].replace(", ", "\n").replace(
+                        "axisymmetric", "axi-\nsymmetric")
+                     for silo in CASES], fontsize=6)
