@@ -84,9 +84,18 @@ namespace Sandglass
       {
         if (clock.step % parameters.automatic_step_interval() == 0 ||
             automatic_time_step == 0.)
-          automatic_time_step =
-            parameters.time_step_safety *
-            std::min(find_critical_time_step(), seeded_critical_time_step);
+          {
+            // A stiff spot that has come once comes again: after it the step
+            // recovers slowly.
+            constexpr double growth = 1.005;
+            const double     last   = automatic_time_step;
+            automatic_time_step =
+              parameters.time_step_safety *
+              std::min(find_critical_time_step(), seeded_critical_time_step);
+            if (last > 0.)
+              automatic_time_step =
+                std::min(automatic_time_step, growth * last);
+          }
         step = automatic_time_step;
       }
     else
