@@ -1,8 +1,4 @@
-#include <deal.II/base/mpi.h>
-
 #include <sandglass/particle_stage/contact.h>
-
-#include <map>
 
 namespace Sandglass
 {
@@ -30,38 +26,6 @@ namespace Sandglass
         nodes.push_back(node);
       }
     memories.resize(nodes.size());
-  }
-
-
-
-  void
-  Contact::start_from(const std::vector<WallForce> &wall_forces)
-  {
-    // The static stage divides nodes between the ranks in its own way.
-    using Record = std::array<double, 4>; // x, y, role, force
-    std::vector<Record> own_records;
-    for (const WallForce &force : wall_forces)
-      own_records.push_back({{force.position[0],
-                              force.position[1],
-                              static_cast<double>(boundary_id(force.role)),
-                              force.tangential_force}});
-    std::map<std::array<double, 3>, double> force_at;
-    for (const auto &records :
-         Utilities::MPI::all_gather(communicator, own_records))
-      for (const auto &[x, y, role, force] : records)
-        force_at[{{x, y, role}}] = force;
-
-    for (unsigned int n = 0; n < nodes.size(); ++n)
-      for (unsigned int s = 0; s < nodes[n].boundary.supports.size(); ++s)
-        {
-          const BoundaryNode &node  = nodes[n].boundary;
-          const auto          found = force_at.find(
-            {{node.position[0],
-                       node.position[1],
-                       static_cast<double>(boundary_id(node.supports[s].role))}});
-          if (found != force_at.end())
-            memories[n][s] = {found->second, false};
-        }
   }
 
 
@@ -157,29 +121,6 @@ namespace Sandglass
 
 
   void
-  Contact::record_normal_impulses(Node                 &node,
-                                  const Tensor<1, dim> &impulse) const
-  {
-    auto &records = node.impulse;
-    if (node.boundary.supports.size() == 1)
-      {
-        records[0].normal_force -= impulse * records[0].normal;
-        records[0].tangential_force +=
-          impulse * wall_tangent(records[0].normal);
-        return;
-      }
-    // impulse = -(a n_0 + b n_1)
-    const Tensor<1, dim> &n0 = records[0].normal, &n1 = records[1].normal;
-    const double          determinant = n0[0] * n1[1] - n0[1] * n1[0];
-    records[0].normal_force -=
-      (impulse[0] * n1[1] - impulse[1] * n1[0]) / determinant;
-    records[1].normal_force -=
-      (n0[0] * impulse[1] - n0[1] * impulse[0]) / determinant;
-  }
-
-
-
-  void
   Contact::constrain(NodalField<dim> &velocity) const
   {
     for (const Node &node : nodes)
@@ -240,27 +181,6 @@ namespace Sandglass
 
 
 
-  void
-  Contact::add_forces(const NodalField<dim> &forces, const double time_step)
-  {
-    for (Node &node : nodes)
-      if (node.holding != 0)
-        {
-          const double        *values = forces.at(node.index);
-          const Tensor<1, dim> impulse(
-            {time_step * values[0], time_step * values[1]});
-          if (node.holding == 3 || node.boundary.is_fixed)
-            record_normal_impulses(node, impulse);
-          else
-            for (const unsigned int s : {0u, 1u})
-              if (node.holding == 1u << s)
-                node.impulse[s].normal_force -=
-                  impulse * node.boundary.supports[s].normal;
-        }
-  }
-
-
-
   unsigned int
   Contact::holding_supports(const BoundaryNode   &node,
                             const Tensor<1, dim> &velocity)
@@ -300,58 +220,5 @@ namespace Sandglass
       if (holding == 1u << s)
         held -= (velocity * node.supports[s].normal) * node.supports[s].normal;
     return held;
-  }
-
-
-
-  std::vector<WallForce>
-  Contact::take_mean_forces()
-  {
-    std::vector<WallForce> forces;
-    for (auto &node : nodes)
-      for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
-        {
-          WallForce &impulse = node.impulse[s];
-          forces.push_back(impulse);
-          if (summed_time > 0.)
-            {
-              forces.back().normal_force /= summed_time;
-              forces.back().tangential_force /= summed_time;
-            }
-          impulse.normal_force     = 0.;
-          impulse.tangential_force = 0.;
-        }
-    summed_time = 0.;
-    return forces;
-  }
-
-
-
-  Contact::Sums
-  Contact::sums() const
-  {
-    Sums sums{dissipation, summed_time, {}};
-    for (const auto &node : nodes)
-      sums.impulses.push_back({{node.impulse[0].normal_force,
-                                node.impulse[0].tangential_force,
-                                node.impulse[1].normal_force,
-                                node.impulse[1].tangential_force}});
-    return sums;
-  }
-
-
-
-  void
-  Contact::set_sums(const Sums &sums)
-  {
-    AssertDimension(sums.impulses.size(), nodes.size());
-    dissipation = sums.dissipation;
-    summed_time = sums.time;
-    for (unsigned int n = 0; n < nodes.size(); ++n)
-      for (const unsigned int s : {0u, 1u})
-        {
-          nodes[n].impulse[s].normal_force     = sums.impulses[n][2 * s];
-          nodes[n].impulse[s].tangential_force = sums.impulses[n][2 * s + 1];
-        }
   }
 } // namespace Sandglass
