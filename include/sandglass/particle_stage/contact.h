@@ -171,10 +171,12 @@ namespace Sandglass
 
     const CoulombFriction friction;
     const bool            stops_velocity; ///< or else only acceleration
-    const MPI_Comm        communicator;
-    std::vector<Node>     nodes;
-    double                dissipation = 0.;
-    double                summed_time = 0.;
+    /// Whether the axis cancels momentum instead of stopping it.
+    const bool        has_image;
+    const MPI_Comm    communicator;
+    std::vector<Node> nodes;
+    double            dissipation = 0.;
+    double            summed_time = 0.;
   };
 } // namespace Sandglass
 
