@@ -63,11 +63,8 @@ namespace Sandglass
     if (is_intermediate())
       {
         // Section 5.3.1.1 with h_o = 0 and tan(phi_r) = 0, so n = -1.
-        const double relative_depth = janssen.lateral_pressure_ratio *
-                                      janssen.friction_coefficient * depth /
-                                      janssen.hydraulic_radius;
         normal = janssen.weight_density * janssen.lateral_pressure_ratio *
-                 depth / (1. + relative_depth);
+                 depth / (1. + relative_depth(depth));
       }
     const double tangential = janssen.friction_coefficient * normal;
     if (load == Load::filling)
@@ -83,17 +80,23 @@ namespace Sandglass
 
 
   double
+  EurocodePressures::relative_depth(const double depth) const
+  {
+    return janssen.lateral_pressure_ratio * janssen.friction_coefficient *
+           depth / janssen.hydraulic_radius;
+  }
+
+
+
+  double
   EurocodePressures::vertical_pressure(const double depth) const
   {
     if (is_slender())
       return janssen.vertical_pressure(depth);
     // gamma z_V of Section 5.3.1.1 for n = -1: gamma z_o ln(1 + z / z_o).
-    const double relative_depth = janssen.lateral_pressure_ratio *
-                                  janssen.friction_coefficient * depth /
-                                  janssen.hydraulic_radius;
+    const double ratio = relative_depth(depth);
     return janssen.weight_density * depth *
-           (relative_depth > 0. ? std::log1p(relative_depth) / relative_depth :
-                                  1.);
+           (ratio > 0. ? std::log1p(ratio) / ratio : 1.);
   }
 
 

@@ -125,27 +125,6 @@ namespace Sandglass
 
 
 
-  void
-  Contact::constrain(NodalField<dim> &velocity) const
-  {
-    for (const Node &node : nodes)
-      {
-        double              *values = velocity.at(node.index);
-        const Tensor<1, dim> free_velocity({values[0], values[1]});
-        // A wall that presses lets a node move neither in nor out, or v^L's
-        // noise would pump material off it. The other one lets nothing in.
-        const auto pressed_velocity =
-          held_velocity(node.boundary, node.holding, free_velocity);
-        const unsigned int holding =
-          node.holding | holding_supports(node.boundary, pressed_velocity);
-        const auto held = held_velocity(node.boundary, holding, free_velocity);
-        for (unsigned int d = 0; d < dim; ++d)
-          values[d] = held[d];
-      }
-  }
-
-
-
   template <typename Holding>
   void
   Contact::release(NodalField<dim> &field, const Holding &holding) const
@@ -153,10 +132,9 @@ namespace Sandglass
     for (const Node &node : nodes)
       {
         double              *values = field.at(node.index);
+        const Tensor<1, dim> value({values[0], values[1]});
         const Tensor<1, dim> released =
-          held_velocity(node.boundary,
-                        holding(node),
-                        Tensor<1, dim>({values[0], values[1]}));
+          held_velocity(node.boundary, holding(node, value), value);
         for (unsigned int d = 0; d < dim; ++d)
           values[d] = released[d];
       }
@@ -165,9 +143,28 @@ namespace Sandglass
 
 
   void
+  Contact::constrain(NodalField<dim> &velocity) const
+  {
+    release(velocity,
+            [](const Node &node, const Tensor<1, dim> &free_velocity) {
+              // A wall that presses lets a node move neither in nor out, or
+              // v^L's noise would pump material off it. The other one lets
+              // nothing in.
+              const auto pressed_velocity =
+                held_velocity(node.boundary, node.holding, free_velocity);
+              return node.holding |
+                     holding_supports(node.boundary, pressed_velocity);
+            });
+  }
+
+
+
+  void
   Contact::release_held(NodalField<dim> &field) const
   {
-    release(field, [](const Node &node) { return node.holding; });
+    release(field, [](const Node &node, const Tensor<1, dim> &) {
+      return node.holding;
+    });
   }
 
 
@@ -175,7 +172,7 @@ namespace Sandglass
   void
   Contact::release_always_held(NodalField<dim> &field) const
   {
-    release(field, [](const Node &node) {
+    release(field, [](const Node &node, const Tensor<1, dim> &) {
       unsigned int holding = 0;
       for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
         if (node.boundary.supports[s].role == BoundaryRole::axis)

@@ -1,8 +1,7 @@
-#include <sandglass/run/static_to_particles.h>
-#include <sandglass/static_stage/static_stage.h>
 
 #include <gtest/gtest.h>
 
+#include "rest.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
@@ -37,16 +36,7 @@ namespace
       rectangle.n_y       = n_rows;
       fixture.start(rectangle.mesh());
 
-      std::ostringstream log_text;
-      ConditionalOStream log(log_text);
-      StaticStage        static_stage(*fixture.scene,
-                               fixture.material,
-                               fixture.walls,
-                               static_parameters,
-                               log);
-      carry_to_particles(static_stage.run(),
-                         *fixture.stage,
-                         static_parameters.displaces_particles);
+      start_from_rest(fixture);
     }
 
     /// Largest strain, rho g H / M.
@@ -104,8 +94,7 @@ namespace
       return sum;
     }
 
-    StageFixture          fixture;
-    StaticStageParameters static_parameters;
+    StageFixture fixture;
   };
 } // namespace
 

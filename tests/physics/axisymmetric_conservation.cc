@@ -1,9 +1,8 @@
-#include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/static_stage/static_stage.h>
 
 #include <gtest/gtest.h>
 
+#include "rest.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
@@ -68,17 +67,7 @@ namespace
       silo.cell_type         = GetParam();
       fixture.start(mesh_silo(silo));
 
-      StaticStageParameters static_parameters;
-      std::ostringstream    log_text;
-      ConditionalOStream    log(log_text);
-      StaticStage           static_stage(*fixture.scene,
-                               fixture.material,
-                               fixture.walls,
-                               static_parameters,
-                               log);
-      carry_to_particles(static_stage.run(),
-                         *fixture.stage,
-                         static_parameters.displaces_particles);
+      start_from_rest(fixture);
     }
 
     StageFixture fixture;

@@ -1,9 +1,8 @@
-#include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/static_stage/static_stage.h>
 
 #include <gtest/gtest.h>
 
+#include "rest.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
@@ -27,16 +26,7 @@ namespace
       fixture.parameters.end_time     = 2.;
       fixture.start(mesh_silo(scene_parameters));
 
-      std::ostringstream log_text;
-      ConditionalOStream log(log_text);
-      StaticStage        static_stage(*fixture.scene,
-                               fixture.material,
-                               fixture.walls,
-                               static_parameters,
-                               log);
-      carry_to_particles(static_stage.run(),
-                         *fixture.stage,
-                         static_parameters.displaces_particles);
+      start_from_rest(fixture);
     }
 
     BandStress
@@ -75,9 +65,8 @@ namespace
       return energy / (mass * 9.81 * scene_parameters.wall_height);
     }
 
-    StageFixture          fixture;
-    SceneParameters       scene_parameters;
-    StaticStageParameters static_parameters;
+    StageFixture    fixture;
+    SceneParameters scene_parameters;
   };
 
   class ClosedSiloTest : public testing::TestWithParam<CellType>

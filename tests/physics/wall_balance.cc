@@ -1,14 +1,13 @@
 #include <sandglass/observers/particle_totals.h>
 #include <sandglass/observers/wall_tractions.h>
-#include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/static_stage/static_stage.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
 
+#include "rest.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
@@ -33,13 +32,7 @@ namespace
         silo.outlet_eccentricity = 0.3;
       fixture.start(mesh_silo(silo));
 
-      std::ostringstream    log_text;
-      ConditionalOStream    log(log_text);
-      StaticStageParameters parameters;
-      StaticStage           static_stage(
-        *fixture.scene, fixture.material, fixture.walls, parameters, log);
-      const StaticState state = static_stage.run();
-      carry_to_particles(state, *fixture.stage, parameters.displaces_particles);
+      start_from_rest(fixture);
       run(0.05);
       fixture.stage->contact.take_mean_forces();
     }

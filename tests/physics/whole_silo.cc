@@ -1,7 +1,5 @@
 #include <sandglass/observers/particle_totals.h>
-#include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/static_stage/static_stage.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include <iostream>
 
 #include "mirrored_mesh.h"
+#include "rest.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
@@ -29,18 +28,7 @@ namespace
     {
       fixture.parameters.end_time = 2.5;
       fixture.start(mesh);
-      std::ostringstream log_text;
-      ConditionalOStream log(log_text);
-      StaticStage        static_stage(*fixture.scene,
-                               fixture.material,
-                               fixture.walls,
-                               static_parameters,
-                               log);
-      const StaticState  state = static_stage.run();
-      carry_to_particles(state,
-                         *fixture.stage,
-                         static_parameters.displaces_particles);
-      forces = state.wall_forces;
+      forces = start_from_rest(fixture).wall_forces;
     }
 
     ParticleTotals
@@ -58,7 +46,6 @@ namespace
 
     StageFixture           fixture;
     SceneParameters        parameters;
-    StaticStageParameters  static_parameters;
     std::vector<WallForce> forces;
   };
 

@@ -79,6 +79,10 @@ namespace Sandglass
     bool
     has_steep_hopper() const;
 
+    /// z / z_o, the depth over Janssen's characteristic depth.
+    double
+    relative_depth(const double depth) const;
+
     /// Mean vertical pressure p_vf in the vertical section, in Pa.
     double
     vertical_pressure(const double depth) const;

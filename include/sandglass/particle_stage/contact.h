@@ -135,7 +135,8 @@ namespace Sandglass
       unsigned int holding = 0;
     };
 
-    /// Set to zero what `holding(node)` holds of a nodal field.
+    /// Set to zero what the supports `holding(node, value)` hold of a nodal
+    /// field's value.
     template <typename Holding>
     void
     release(NodalField<dim> &field, const Holding &holding) const;

@@ -32,7 +32,8 @@ namespace Sandglass
       , relocation(scene, geometry, walls, parameters)
     {
       seed_particles();
-      seeded_critical_time_step = critical_time_step();
+      if (parameters.has_automatic_time_step)
+        seeded_critical_time_step = critical_time_step();
     }
 
     void

@@ -80,15 +80,11 @@ namespace Sandglass
           field.at(node)[d] *= inverse_or_zero(sums.at(node)[NodalSum::mass]);
     }
 
-    /// field = M_alpha^-1 field. Collective. Throws RunError.
+    /// field = M_alpha^-1 field. Only for a consistent matrix. Collective.
+    /// Throws RunError.
     void
-    solve(const Sums &sums, NodalField<dim> &field)
+    solve(NodalField<dim> &field)
     {
-      if (is_lumped())
-        {
-          solve_lumped(sums, field);
-          return;
-        }
       workspace->right_hand_side = field.vector();
       run_solver([](NodalField<dim> &) {}, field);
     }

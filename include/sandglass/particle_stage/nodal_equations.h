@@ -24,7 +24,7 @@ namespace Sandglass
     for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         velocity.at(node)[d] = fields.sums.at(node)[NodalSum::momentum + d];
-    mass_matrix.solve(fields.sums, velocity);
+    mass_matrix.solve(velocity);
     for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
       {
         double *sums = fields.sums.at(node);

@@ -1,0 +1,32 @@
+#ifndef sandglass_tests_rest_h
+#define sandglass_tests_rest_h
+
+#include <sandglass/run/static_to_particles.h>
+#include <sandglass/static_stage/static_stage.h>
+
+#include <sstream>
+
+#include "stage_fixture.h"
+
+/**
+ * Bring a started fixture's particles to rest by the static stage with its
+ * default parameters, as a run does. Throws where it doesn't converge.
+ *
+ * @return the static stage's result.
+ */
+inline Sandglass::StaticState
+start_from_rest(const StageFixture &fixture)
+{
+  Sandglass::StaticStageParameters parameters;
+  std::ostringstream               log_text;
+  dealii::ConditionalOStream       log(log_text);
+  Sandglass::StaticStage           static_stage(
+    *fixture.scene, fixture.material, fixture.walls, parameters, log);
+  const Sandglass::StaticState state = static_stage.run();
+  Sandglass::carry_to_particles(state,
+                                *fixture.stage,
+                                parameters.displaces_particles);
+  return state;
+}
+
+#endif
