@@ -52,10 +52,12 @@ struct StageFixture
   void
   for_each_particle(const Function &function) const
   {
-    for (auto &particle : stage->cloud.handler)
-      function(particle.get_id(),
-               particle.get_location(),
-               particle.get_properties());
+    stage->cloud.edit([&](auto &handler) {
+      for (auto &particle : handler)
+        function(particle.get_id(),
+                 particle.get_location(),
+                 particle.get_properties());
+    });
   }
 };
 

@@ -24,23 +24,19 @@ namespace Sandglass
 
 
 
-    std::vector<ParticleCloud::Parcel>
+    std::vector<Parcel>
     pack_particles(ParticleStage &stage)
     {
-      std::vector<ParticleCloud::Parcel> parcels;
+      const ParticleBlocks &blocks = stage.cloud.blocks();
+      std::vector<Parcel>   parcels;
       for (const auto &cell : stage.cloud.owned_cells())
-        for (const auto &particle : stage.cloud.handler.particles_in_cell(cell))
-          {
-            parcels.push_back({cell->active_cell_index(),
-                               particle.get_id(),
-                               particle.get_location(),
-                               particle.get_reference_location(),
-                               {}});
-            const auto properties = particle.get_properties();
-            std::copy(properties.begin(),
-                      properties.end(),
-                      parcels.back().properties.begin());
-          }
+        blocks.for_each_in_cell(cell->active_cell_index(),
+                                [&](const ParticleSlot &slot) {
+                                  parcels.push_back(blocks.parcel(slot));
+                                });
+      // A resumed run sums over the particles anew; for the same rounding, so
+      // does this one.
+      stage.cloud.start_new_edition();
       return parcels;
     }
 
@@ -84,16 +80,15 @@ namespace Sandglass
 
 
     void
-    restore_particles(const std::vector<ParticleCloud::Parcel> &particles,
-                      ParticleStage                            &stage)
+    restore_particles(const std::vector<Parcel> &particles,
+                      ParticleStage             &stage)
     {
       const unsigned int rank =
         Utilities::MPI::this_mpi_process(stage.scene.communicator);
-      stage.cloud.handler.clear_particles();
+      stage.cloud.clear();
       for (const auto &parcel : particles)
         if (stage.scene.cell_owners[parcel.cell] == rank)
           stage.cloud.insert(parcel);
-      stage.cloud.handler.update_cached_numbers();
     }
 
 
@@ -159,10 +154,11 @@ namespace Sandglass
        removed.lost}};
 
     Checkpoint checkpoint;
-    checkpoint.clock               = stage.clock;
-    checkpoint.automatic_time_step = stage.automatic_time_step;
-    checkpoint.impulse_time        = stage.contact.sums().time;
-    checkpoint.rank_sums           = gather(rank_sums, communicator);
+    checkpoint.clock                 = stage.clock;
+    checkpoint.automatic_time_step   = stage.automatic_time_step;
+    checkpoint.last_local_eigenvalue = stage.last_local_eigenvalue;
+    checkpoint.impulse_time          = stage.contact.sums().time;
+    checkpoint.rank_sums             = gather(rank_sums, communicator);
     checkpoint.particles = gather(pack_particles(stage), communicator);
     checkpoint.nodes     = gather(pack_nodes(stage), communicator);
     return checkpoint;
@@ -177,6 +173,7 @@ namespace Sandglass
 
     stage.clock                     = checkpoint.clock;
     stage.automatic_time_step       = checkpoint.automatic_time_step;
+    stage.last_local_eigenvalue     = checkpoint.last_local_eigenvalue;
     stage.plastic_dissipation       = sums.plastic_dissipation;
     stage.removed_mass().discharged = sums.mass_discharged;
     stage.removed_mass().lost       = sums.mass_lost;

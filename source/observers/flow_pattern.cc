@@ -12,16 +12,19 @@ namespace Sandglass
     double
     stagnant_mass_of_rank(ParticleStage &stage, const double displacement)
     {
-      double mass = 0.;
+      const ParticleBlocks &blocks = stage.cloud.blocks();
+      double                mass   = 0.;
       for (const auto &cell : stage.cloud.owned_cells())
-        for (const auto &particle : stage.cloud.handler.particles_in_cell(cell))
-          {
-            const Point<dim> &location = particle.get_location();
+        blocks.for_each_in_cell(
+          cell->active_cell_index(), [&](const ParticleSlot &slot) {
+            const ParticleBlock &block = blocks[slot.block];
+            const Point<dim>     location =
+              block.point(ParticleBlock::location, slot.lane);
             if (location[1] >= 0. &&
                 location.distance_square(stage.initial_position(
-                  particle.get_id())) <= displacement * displacement)
-              mass += particle.get_properties()[Property::mass];
-          }
+                  blocks.id(slot))) <= displacement * displacement)
+              mass += block.values[ParticleBlock::mass][slot.lane];
+          });
       return mass;
     }
   } // namespace

@@ -65,7 +65,8 @@ namespace Sandglass
     VtuPiece   piece;
     std::vector<std::int64_t> n_particles, subdomain;
 
-    piece.points_per_cell = is_triangle ? 3 : 4;
+    const ParticleCloud::Handler &handler = stage.cloud.handler();
+    piece.points_per_cell                 = is_triangle ? 3 : 4;
     for (const auto &cell : stage.scene.dof_handler.active_cell_iterators())
       {
         if (!cell->is_locally_owned())
@@ -73,7 +74,7 @@ namespace Sandglass
         for (unsigned int v = 0; v < piece.points_per_cell; ++v)
           piece.cells.push_back(
             nodes.number(cell, is_triangle ? v : counterclockwise[v]));
-        n_particles.push_back(stage.cloud.handler.n_particles_in_cell(cell));
+        n_particles.push_back(handler.n_particles_in_cell(cell));
         subdomain.push_back(cell->subdomain_id());
       }
 

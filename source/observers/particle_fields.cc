@@ -78,9 +78,10 @@ namespace Sandglass
   VtuPiece
   particle_fields(ParticleStage &stage)
   {
-    ParticleFields fields;
+    ParticleFields                fields;
+    const ParticleCloud::Handler &handler = stage.cloud.handler();
     for (const auto &cell : stage.cloud.owned_cells())
-      for (const auto &particle : stage.cloud.handler.particles_in_cell(cell))
+      for (const auto &particle : handler.particles_in_cell(cell))
         fields.add(particle,
                    stage.initial_position(particle.get_id()),
                    stage.scene);

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/observers/particle_totals.h>
+#include <sandglass/particles/particle_state.h>
 
 #include <array>
 
@@ -26,28 +27,25 @@ namespace Sandglass
 
 
 
-    template <typename ParticleRange>
     Sums
-    sums_of_cell(const ParticleRange &particles, const Elasticity &elasticity)
+    sums_of_cell(const ParticleBlocks &blocks,
+                 const unsigned int    cell,
+                 const Elasticity     &elasticity)
     {
       Sums sums{};
-      for (const auto &particle : particles)
-        {
-          const auto             state = particle.get_properties();
-          const double           mass  = state[Property::mass];
-          const double           u     = state[Property::velocity];
-          const double           v     = state[Property::velocity + 1];
-          const SymmetricTensor4 stress =
-            Eigen::Map<const SymmetricTensor4>(&state[Property::stress]);
+      blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
+        const auto   state = load_state(blocks[slot.block], slot.lane);
+        const double mass  = state.mass;
+        const double u     = state.velocity[0];
+        const double v     = state.velocity[1];
 
-          sums[particle.get_location()[1] < 0. ? mass_falling : mass_in_silo] +=
-            mass;
-          sums[kinetic_energy] += 0.5 * mass * (u * u + v * v);
-          sums[elastic_energy] +=
-            elasticity.energy_density(stress) * mass / state[Property::density];
-          sums[momentum_x] += mass * u;
-          sums[momentum_y] += mass * v;
-        }
+        sums[state.location[1] < 0. ? mass_falling : mass_in_silo] += mass;
+        sums[kinetic_energy] += 0.5 * mass * (u * u + v * v);
+        sums[elastic_energy] +=
+          elasticity.energy_density(state.stress) * state.volume();
+        sums[momentum_x] += mass * u;
+        sums[momentum_y] += mass * v;
+      });
       return sums;
     }
 
@@ -61,9 +59,9 @@ namespace Sandglass
       Sums sums{};
       for (const auto &cell : stage.cloud.owned_cells())
         {
-          const Sums of_cell =
-            sums_of_cell(stage.cloud.handler.particles_in_cell(cell),
-                         elasticity);
+          const Sums of_cell = sums_of_cell(stage.cloud.blocks(),
+                                            cell->active_cell_index(),
+                                            elasticity);
           for (unsigned int i = 0; i < n_sums; ++i)
             sums[i] += of_cell[i];
         }
@@ -99,7 +97,7 @@ namespace Sandglass
 
     n_particles =
       Utilities::MPI::sum(static_cast<unsigned long>(
-                            stage.cloud.handler.n_locally_owned_particles()),
+                            stage.cloud.n_locally_owned_particles()),
                           communicator);
     particle_steps = Utilities::MPI::sum(stage.particle_steps, communicator);
     largest_speed  = Utilities::MPI::max(stage.largest_speed(), communicator);

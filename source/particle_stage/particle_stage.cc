@@ -43,15 +43,14 @@ namespace Sandglass
   ParticleStage::largest_speed() const
   {
     double largest = 0.;
-    for (const auto &particle : cloud.handler)
-      {
-        const auto state = particle.get_properties();
-        largest =
-          std::max(largest,
-                   state[Property::velocity] * state[Property::velocity] +
-                     state[Property::velocity + 1] *
-                       state[Property::velocity + 1]);
-      }
+    for (const auto &cell : cloud.owned_cells())
+      cloud.blocks().for_each_in_cell(
+        cell->active_cell_index(), [&](const ParticleSlot &slot) {
+          const Point<dim> velocity =
+            cloud.blocks()[slot.block].point(ParticleBlock::velocity,
+                                             slot.lane);
+          largest = std::max(largest, velocity.square());
+        });
     return std::sqrt(largest);
   }
 
@@ -95,8 +94,12 @@ namespace Sandglass
             if (last > 0.)
               automatic_time_step =
                 std::min(automatic_time_step, growth * last);
+            last_local_eigenvalue = local_eigenvalue();
           }
-        step = automatic_time_step;
+        const double known =
+          std::max(last_local_eigenvalue, seeded_local_eigenvalue);
+        step = automatic_time_step *
+               std::sqrt(std::min(1., known / local_eigenvalue()));
       }
     else
       // Rounding of the summed time must not put off the table's next line.

@@ -58,75 +58,81 @@ namespace Sandglass
 
 
   template <CellType cell_type>
-  void
-  Relocation<cell_type>::relocate(const std::vector<Stray> &strays,
-                                  ParticleCloud            &cloud,
-                                  const Clock              &clock)
+  const std::vector<ParticleSlot> &
+  Relocation<cell_type>::relocate(const std::vector<ParticleSlot> &strays,
+                                  ParticleCloud                   &cloud,
+                                  const Clock                     &clock)
   {
     departures.clear();
-    for (const Stray &stray : strays)
-      relocate_one(stray);
+    for (const ParticleSlot &stray : strays)
+      relocate_one(stray, cloud.change_blocks());
     throw_if_faulty(clock);
-    cloud.move(departures);
+    cloud.move(departures, arrivals);
+    return arrivals;
   }
 
 
 
   template <CellType cell_type>
   void
-  Relocation<cell_type>::relocate_one(const Stray &stray)
+  Relocation<cell_type>::relocate_one(const ParticleSlot &stray,
+                                      ParticleBlocks     &blocks)
   {
     using Kind = typename Location::Kind;
 
-    const double mass = stray.particle->get_properties()[Property::mass];
-    Location     location =
-      geometry.find(stray.particle->get_location(), stray.cell);
+    const Point<dim> position =
+      blocks[stray.block].point(ParticleBlock::location, stray.lane);
+    Location location = geometry.find(position, stray.cell);
     if (location.kind == Kind::outside && is_held_by_lip(stray, location))
-      location = hold_at_wall(stray, location);
+      location = hold_at_wall(stray, location, blocks);
 
-    if (location.kind == Kind::inside)
-      settle(stray, location);
-    else if (location.kind == Kind::outside && is_open(location.role))
+    const bool is_at_boundary =
+      location.kind == Kind::outside && !is_open(location.role) &&
+      Geometry::is_inside(location.reference_point, -rounding);
+    if (location.kind == Kind::inside || is_at_boundary)
       {
-        removed.discharged += mass;
-        departures.push_back({stray.particle, Departure::nowhere, {}});
+        settle(stray, location, blocks);
+        return;
       }
-    else if (location.kind == Kind::outside &&
-             Geometry::is_inside(location.reference_point, -rounding))
-      settle(stray, location);
+
+    const Parcel parcel = blocks.parcel(stray);
+    const double mass   = parcel.properties[Property::mass];
+    if (location.kind == Kind::outside && is_open(location.role))
+      removed.discharged += mass;
     else
       {
         if (stops_at_loss || location.kind == Kind::invalid)
-          report_fault(stray, location);
+          report_fault(parcel, location);
         removed.lost += mass;
-        departures.push_back({stray.particle, Departure::nowhere, {}});
       }
+    departures.push_back({stray, Departure::nowhere, {}});
   }
 
 
 
   template <CellType cell_type>
   void
-  Relocation<cell_type>::settle(const Stray &stray, const Location &location)
+  Relocation<cell_type>::settle(const ParticleSlot &stray,
+                                const Location     &location,
+                                ParticleBlocks     &blocks)
   {
     const Point<dim> reference_point =
       Geometry::Shape::clamp(location.reference_point, margin);
     // The position follows: on the axis a particle would have no radius.
     if (reference_point != location.reference_point)
-      ParticleIterator(stray.particle)
-        ->set_location(geometry.shape(location.cell).to_real(reference_point));
-    if (location.cell == stray.cell)
-      ParticleIterator(stray.particle)->set_reference_location(reference_point);
-    else
-      departures.push_back({stray.particle, location.cell, reference_point});
+      blocks[stray.block].set_point(
+        ParticleBlock::location,
+        stray.lane,
+        geometry.shape(location.cell).to_real(reference_point));
+    departures.push_back({stray, location.cell, reference_point});
   }
 
 
 
   template <CellType cell_type>
   bool
-  Relocation<cell_type>::is_held_by_lip(const Stray    &stray,
-                                        const Location &location) const
+  Relocation<cell_type>::is_held_by_lip(const ParticleSlot &stray,
+                                        const Location     &location) const
   {
     return !is_at_free_lip.empty() && is_wall(location.role) &&
            (is_at_free_lip[stray.cell] || is_at_free_lip[location.cell]);
@@ -136,8 +142,9 @@ namespace Sandglass
 
   template <CellType cell_type>
   typename Relocation<cell_type>::Location
-  Relocation<cell_type>::hold_at_wall(const Stray    &stray,
-                                      const Location &location) const
+  Relocation<cell_type>::hold_at_wall(const ParticleSlot &stray,
+                                      const Location     &location,
+                                      ParticleBlocks     &blocks) const
   {
     const auto          &shape   = geometry.shape(location.cell);
     const auto          &ends    = Geometry::Shape::face_nodes[location.face];
@@ -146,15 +153,15 @@ namespace Sandglass
     const Tensor<1, dim> tangent = edge / edge.norm();
     Tensor<1, dim>       normal({tangent[1], -tangent[0]});
 
-    ParticleIterator     particle = stray.particle;
-    const Point<dim>     position = particle->get_location();
-    const Tensor<1, dim> offset   = position - start;
+    ParticleBlock   &block = blocks[stray.block];
+    const Point<dim> position =
+      block.point(ParticleBlock::location, stray.lane);
+    const Tensor<1, dim> offset = position - start;
     if (normal * offset < 0.)
       normal *= -1.;
 
-    double              *state = particle->get_properties().data();
-    const Tensor<1, dim> velocity(
-      {state[Property::velocity], state[Property::velocity + 1]});
+    const Tensor<1, dim> velocity =
+      block.point(ParticleBlock::velocity, stray.lane);
     const double into_wall  = std::max(0., velocity * normal);
     const double along_wall = velocity * tangent;
     const double friction =
@@ -162,13 +169,14 @@ namespace Sandglass
     const Tensor<1, dim> held_velocity =
       velocity - into_wall * normal -
       std::copysign(friction, along_wall) * tangent;
-    for (unsigned int d = 0; d < dim; ++d)
-      state[Property::velocity + d] = held_velocity[d];
+    block.set_point(ParticleBlock::velocity,
+                    stray.lane,
+                    Point<dim>(held_velocity));
 
     // A little inside, so that the walk ends in a cell.
     const Point<dim> on_wall =
       position - (normal * offset + margin * edge.norm()) * normal;
-    particle->set_location(on_wall);
+    block.set_point(ParticleBlock::location, stray.lane, on_wall);
     return geometry.find(on_wall, location.cell);
   }
 
@@ -176,16 +184,15 @@ namespace Sandglass
 
   template <CellType cell_type>
   void
-  Relocation<cell_type>::report_fault(const Stray    &stray,
+  Relocation<cell_type>::report_fault(const Parcel   &stray,
                                       const Location &location)
   {
     if (!fault.empty())
       return;
-    const auto         state = stray.particle->get_properties();
     std::ostringstream message;
-    message << "Particle " << stray.particle->get_id() << " at ("
-            << stray.particle->get_location() << ") m with velocity ("
-            << state[Property::velocity] << ' ' << state[Property::velocity + 1]
+    message << "Particle " << stray.id << " at (" << stray.location
+            << ") m with velocity (" << stray.properties[Property::velocity]
+            << ' ' << stray.properties[Property::velocity + 1]
             << ") m/s, last in cell " << stray.cell << ", ";
     if (location.kind == Location::Kind::invalid)
       message

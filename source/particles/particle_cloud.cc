@@ -8,8 +8,11 @@
 namespace Sandglass
 {
   ParticleCloud::ParticleCloud(const Scene &scene)
-    : handler(scene.triangulation, scene.mapping, Property::n_properties)
-    , scene(scene)
+    : scene(scene)
+    , particle_handler(scene.triangulation,
+                       scene.mapping,
+                       Property::n_properties)
+    , particle_blocks(scene.triangulation.n_active_cells())
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       {
@@ -21,57 +24,119 @@ namespace Sandglass
 
 
 
-  void
-  ParticleCloud::move(const std::vector<Departure> &departures)
+  const ParticleCloud::Handler &
+  ParticleCloud::handler()
   {
-    // Copies first: the handler's arrays may move when particles are inserted,
-    // and places that become free are taken again.
+    if (Utilities::MPI::max(handler_is_current ? 0 : 1, scene.communicator) > 0)
+      update_handler();
+    return particle_handler;
+  }
+
+
+
+  void
+  ParticleCloud::update_handler()
+  {
+    for (const auto &cell : cells_owned)
+      update_handler(cell);
+    particle_handler.update_cached_numbers();
+    handler_is_current = true;
+  }
+
+
+
+  void
+  ParticleCloud::update_handler(const CellIterator &cell)
+  {
+    parcels_of_cell.clear();
+    particle_blocks.for_each_in_cell(cell->active_cell_index(),
+                                     [this](const ParticleSlot &slot) {
+                                       parcels_of_cell.push_back(
+                                         particle_blocks.parcel(slot));
+                                     });
+
+    // Particles that the handler has there already take on the new states.
+    auto               particles = particle_handler.particles_in_cell(cell);
+    const unsigned int n_stored =
+      std::distance(particles.begin(), particles.end());
+    for (unsigned int n = n_stored; n > parcels_of_cell.size(); --n)
+      {
+        particles = particle_handler.particles_in_cell(cell);
+        particle_handler.remove_particle(std::next(particles.begin(), n - 1));
+      }
+    for (unsigned int n = n_stored; n < parcels_of_cell.size(); ++n)
+      particle_handler.insert_particle({}, {}, 0, cell);
+
+    auto parcel = parcels_of_cell.begin();
+    particles   = particle_handler.particles_in_cell(cell);
+    for (auto particle = particles.begin(); particle != particles.end();
+         ++particle, ++parcel)
+      {
+        particle->set_id(parcel->id);
+        particle->set_location(parcel->location);
+        particle->set_reference_location(parcel->reference_point);
+        particle->set_properties(
+          ArrayView<const double>(parcel->properties.data(),
+                                  parcel->properties.size()));
+      }
+  }
+
+
+
+  void
+  ParticleCloud::load_blocks()
+  {
+    particle_handler.update_cached_numbers();
+    particle_blocks.clear();
+    for (const auto &cell : cells_owned)
+      for (const auto &particle : particle_handler.particles_in_cell(cell))
+        {
+          Parcel     parcel{cell->active_cell_index(),
+                        particle.get_id(),
+                        particle.get_location(),
+                        particle.get_reference_location(),
+                        {}};
+          const auto properties = particle.get_properties();
+          std::copy(properties.begin(),
+                    properties.end(),
+                    parcel.properties.begin());
+          particle_blocks.insert(parcel);
+        }
+    handler_is_current = true;
+    start_new_edition();
+  }
+
+
+
+  void
+  ParticleCloud::move(const std::vector<Departure> &departures,
+                      std::vector<ParticleSlot>    &arrivals)
+  {
+    arrivals.clear();
     parcels.clear();
     for (const auto &departure : departures)
       if (departure.target_cell != Departure::nowhere)
         {
-          const auto &particle   = departure.particle;
-          const auto  properties = particle->get_properties();
-          parcels.push_back({departure.target_cell,
-                             particle->get_id(),
-                             particle->get_location(),
-                             departure.reference_point,
-                             {}});
-          std::copy(properties.begin(),
-                    properties.end(),
-                    parcels.back().properties.begin());
+          parcels.push_back(particle_blocks.parcel(departure.particle));
+          parcels.back().cell            = departure.target_cell;
+          parcels.back().reference_point = departure.reference_point;
         }
 
-    // Removal fills the gap with the cell's last particle. Backwards, the
-    // iterators of the same cell that are still to come stay valid.
-    for (auto departure = departures.rbegin(); departure != departures.rend();
-         ++departure)
-      handler.remove_particle(departure->particle);
+    ParticleBlocks &blocks = change_blocks();
+    for (const auto &departure : departures)
+      blocks.remove(departure.particle);
 
     if (Utilities::MPI::n_mpi_processes(scene.communicator) == 1)
       for (const Parcel &parcel : parcels)
-        insert(parcel);
+        arrivals.push_back(blocks.insert(parcel));
     else
-      insert_on_owners();
+      insert_on_owners(arrivals);
   }
 
 
 
   void
-  ParticleCloud::insert(const Parcel &parcel)
-  {
-    handler.insert_particle(parcel.location,
-                            parcel.reference_point,
-                            parcel.id,
-                            cells_all[parcel.cell],
-                            ArrayView<const double>(parcel.properties.data(),
-                                                    parcel.properties.size()));
-  }
-
-
-
-  void
-  ParticleCloud::insert_on_owners()
+  ParticleCloud::insert_on_owners(std::vector<ParticleSlot> &arrivals)
   {
     const unsigned int this_rank =
       Utilities::MPI::this_mpi_process(scene.communicator);
@@ -81,13 +146,31 @@ namespace Sandglass
       {
         const unsigned int owner = scene.cell_owners[parcel.cell];
         if (owner == this_rank)
-          insert(parcel);
+          arrivals.push_back(particle_blocks.insert(parcel));
         else
           outgoing[owner].push_back(parcel);
       }
     for (const auto &[rank, incoming] :
          Utilities::MPI::some_to_some(scene.communicator, outgoing))
       for (const Parcel &parcel : incoming)
-        insert(parcel);
+        arrivals.push_back(particle_blocks.insert(parcel));
+  }
+
+
+
+  ParticleSlot
+  ParticleCloud::insert(const Parcel &parcel)
+  {
+    start_new_edition();
+    return change_blocks().insert(parcel);
+  }
+
+
+
+  void
+  ParticleCloud::clear()
+  {
+    start_new_edition();
+    change_blocks().clear();
   }
 } // namespace Sandglass

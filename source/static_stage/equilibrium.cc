@@ -160,8 +160,7 @@ namespace Sandglass
                                                            point.stress_before,
                                                            point.gradient);
     point.stress       = point.trial_stress;
-    double dissipation = 0.;
-    material.project(point.stress, dissipation);
+    material.project(point.stress);
     point.volume_ratio = point.volume_ratio_before *
                          IncrementalResponse::volume_ratio(point.gradient);
   }

@@ -1,4 +1,4 @@
-#include <sandglass/particle_stage/particle_motion.h>
+#include <sandglass/particle_stage/particle_pass.h>
 
 #include <gtest/gtest.h>
 
@@ -46,19 +46,21 @@ namespace
     {
       const CellGeometry<cell_type> geometry(*fixture.scene);
       auto                         &cloud = fixture.stage->cloud;
-      for (const auto &cell : cloud.owned_cells())
-        for (const unsigned int face : cell->face_indices())
-          if (cell->at_boundary(face) && cell->face(face)->boundary_id() ==
-                                           boundary_id(BoundaryRole::axis))
-            {
-              auto particle = cloud.handler.particles_in_cell(cell).begin();
-              const Point<2> location(distance * width,
-                                      cell->face(face)->center()[1]);
-              particle->set_location(location);
-              particle->set_reference_location(
-                geometry.shape(cell->active_cell_index())
-                  .to_reference(location));
-            }
+      cloud.edit([&](auto &handler) {
+        for (const auto &cell : cloud.owned_cells())
+          for (const unsigned int face : cell->face_indices())
+            if (cell->at_boundary(face) && cell->face(face)->boundary_id() ==
+                                             boundary_id(BoundaryRole::axis))
+              {
+                auto particle = handler.particles_in_cell(cell).begin();
+                const Point<2> location(distance * width,
+                                        cell->face(face)->center()[1]);
+                particle->set_location(location);
+                particle->set_reference_location(
+                  geometry.shape(cell->active_cell_index())
+                    .to_reference(location));
+              }
+      });
     }
 
     void
@@ -81,13 +83,18 @@ namespace
         fixture.scene->triangulation.n_active_cells(),
         0.,
         true);
-      average.compute(fixture.stage->cloud, geometry, velocity);
+      average.compute(fixture.stage->cloud.blocks(), geometry, velocity);
       const StressUpdate<DensityUpdate::paper> update(
         fixture.material.drucker_prager(), fixture.material.density);
-      std::vector<Stray> strays;
-      ParticleMotion<CellSetting, DensityUpdate::paper, true>(
-        update, average, StressIntegration::start_of_step, time_step)
-        .compute(fixture.stage->cloud, geometry, velocity, strays);
+      NodalSums<CellSetting>    sums(geometry, 0.);
+      std::vector<ParticleSlot> strays;
+      ParticlePass<CellSetting, DensityUpdate::paper, true>(
+        geometry, update, average, StressIntegration::start_of_step, time_step)
+        .run(fixture.stage->cloud.change_blocks(),
+             fixture.stage->fields.acceleration, // none yet
+             velocity,
+             sums,
+             strays);
     }
 
     /**
@@ -100,7 +107,7 @@ namespace
     {
       const Elasticity       elasticity = fixture.material.elasticity();
       const SymmetricTensor4 rates(a, b, a, 0.);
-      const SymmetricTensor4 change = elasticity.stress(time_step * rates);
+      const SymmetricTensor4 change = elasticity.stress<double>(time_step * rates);
       const double           ratio =
         (1. + time_step * a) * (1. + time_step * b) * (1. + time_step * a);
       const double bound = 1e-11 + 1e-14 / distance;

@@ -1,3 +1,5 @@
+#include <sandglass/particle_stage/critical_time_step.h>
+
 #include <gtest/gtest.h>
 
 #include "stage_fixture.h"
@@ -14,21 +16,20 @@ namespace
     using Quadrilaterals = Setting<formulation, CellType::quadrilateral>;
     auto &stage          = *fixture.stage;
     stage.critical_time_step(); // makes the nodal sums
+    const ParticleBlocks                       &blocks = stage.cloud.blocks();
     const CellGeometry<CellType::quadrilateral> geometry(*fixture.scene);
-    MassMatrix<Quadrilaterals>                  mass_matrix(
+    NodalSums<Quadrilaterals>                   cells(geometry, 0.);
+    cells.compute(blocks);
+    MassMatrix<Quadrilaterals> mass_matrix(
       *fixture.scene->nodes,
       geometry,
       fixture.parameters.consistent_mass_share);
-    mass_matrix.assemble(stage.cloud, stage.fields.sums);
+    mass_matrix.assemble(blocks, cells, stage.fields.sums);
     return CriticalTimeStep<Quadrilaterals>(fixture.material.elasticity(),
-                                            fixture.material.density,
+                                            geometry,
                                             *fixture.scene)
-      .compute(stage.cloud,
-               geometry,
-               mass_matrix,
-               stage.contact,
-               stage.fields.sums,
-               600);
+      .compute(
+        blocks, cells, mass_matrix, stage.contact, stage.fields.sums, 600);
   }
 
   /// Critical step, times wave speed over element size, of a strip of squares
@@ -104,15 +105,17 @@ TEST(CriticalTimeStep, DoesNotVanishNextToTheAxis)
   const double before = largest_stable_step<Formulation::axisymmetric>(fixture);
 
   const CellGeometry<CellType::quadrilateral> geometry(*fixture.scene);
-  for (const auto &cell : stage.cloud.owned_cells())
-    if (cell->center()[0] < 0.25)
-      {
-        auto particle = stage.cloud.handler.particles_in_cell(cell).begin();
-        const Point<2> location(1e-4, cell->center()[1]);
-        particle->set_location(location);
-        particle->set_reference_location(
-          geometry.shape(cell->active_cell_index()).to_reference(location));
-      }
+  stage.cloud.edit([&](auto &handler) {
+    for (const auto &cell : stage.cloud.owned_cells())
+      if (cell->center()[0] < 0.25)
+        {
+          auto           particle = handler.particles_in_cell(cell).begin();
+          const Point<2> location(1e-4, cell->center()[1]);
+          particle->set_location(location);
+          particle->set_reference_location(
+            geometry.shape(cell->active_cell_index()).to_reference(location));
+        }
+  });
   const double after = largest_stable_step<Formulation::axisymmetric>(fixture);
   const double time_of_wave =
     0.25 / fixture.material.elasticity().wave_speed(1500.);

@@ -29,7 +29,8 @@ namespace
   project(const SymmetricTensor4 &trial)
   {
     Projected result{trial, DruckerPrager::Case::elastic, 0.};
-    result.found = material.project(result.stress, result.dissipation);
+    result.found       = material.classify(trial);
+    result.dissipation = material.project(result.stress);
     return result;
   }
 

@@ -1,3 +1,5 @@
+#include <deal.II/base/tensor.h>
+
 #include <sandglass/material/elasticity.h>
 #include <sandglass/particle_stage/deformation.h>
 
@@ -6,6 +8,7 @@
 #include <cmath>
 #include <iostream>
 
+using namespace dealii;
 using namespace Sandglass;
 
 namespace

@@ -72,7 +72,7 @@ namespace
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
 
-    const unsigned int n = run.stage->cloud.handler.n_locally_owned_particles();
+    const unsigned int n = run.stage->cloud.n_locally_owned_particles();
     ASSERT_GT(n, 100);
     ASSERT_EQ(vtu->GetNumberOfPoints(), n);
     EXPECT_EQ(vtu->GetNumberOfCells(), n);
@@ -173,7 +173,7 @@ namespace
     double sum         = 0.;
     for (int c = 0; c < vtu->GetNumberOfCells(); ++c)
       sum += n_particles->GetTuple1(c);
-    EXPECT_EQ(sum, run.stage->cloud.handler.n_locally_owned_particles());
+    EXPECT_EQ(sum, run.stage->cloud.n_locally_owned_particles());
   }
 
 

@@ -23,8 +23,7 @@ namespace
   {
     SymmetricTensor4 stress =
       IncrementalResponse::trial_stress(elasticity, stress_before, H);
-    double dissipation = 0.;
-    material.project(stress, dissipation);
+    material.project(stress);
     return IncrementalResponse::piola_stress(stress, H);
   }
 
@@ -35,9 +34,8 @@ namespace
   {
     const SymmetricTensor4 trial =
       IncrementalResponse::trial_stress(elasticity, stress_before, H);
-    SymmetricTensor4 stress      = trial;
-    double           dissipation = 0.;
-    material.project(stress, dissipation);
+    SymmetricTensor4 stress = trial;
+    material.project(stress);
     return IncrementalResponse::tangent(elasticity,
                                         stress_before,
                                         stress,
@@ -69,10 +67,8 @@ namespace
   DruckerPrager::Case
   case_of(const SymmetricTensor4 &stress_before, const Gradient5 &H)
   {
-    SymmetricTensor4 stress =
-      IncrementalResponse::trial_stress(elasticity, stress_before, H);
-    double dissipation = 0.;
-    return material.project(stress, dissipation);
+    return material.classify(
+      IncrementalResponse::trial_stress(elasticity, stress_before, H));
   }
 
 

@@ -39,7 +39,7 @@ namespace
             entry[0]      = value[0];
             entry[1]      = value[1];
           }
-      average.compute(stage.cloud, geometry, field);
+      average.compute(stage.cloud.blocks(), geometry, field);
     }
 
     StageFixture                     fixture;

@@ -49,38 +49,52 @@ namespace Sandglass
       return von_mises_stress(stress) - yield_slope * pressure(stress);
     }
 
+    /// Which case a trial stress belongs to.
+    Case
+    classify(const SymmetricTensor4 &trial_stress) const
+    {
+      const double p         = pressure(trial_stress);
+      const double q_squared = squared_von_mises_stress(trial_stress);
+      if (p > 0.)
+        return q_squared <= yield_slope * p * yield_slope * p ? Case::elastic :
+                                                                Case::yielding;
+      return p == 0. && q_squared == 0. ? Case::elastic : Case::separated;
+    }
+
     /**
      * Project an elastic trial stress onto the admissible stresses (three-case
      * formula of Section 4.1).
      *
      * @param[in,out] stress  trial stress in, admissible stress out.
-     * @param[in,out] dissipation  raised by the plastic work per volume in
-     *                             J/m^3, stress : plastic strain increment.
+     * @return the plastic work per volume in J/m^3, stress : plastic strain
+     *         increment.
      */
-    Case
-    project(SymmetricTensor4 &stress, double &dissipation) const
+    template <typename Number>
+    Number
+    project(SymmetricTensorOf<Number> &stress) const
     {
-      const double           p         = pressure(stress);
-      const SymmetricTensor4 s         = deviator(stress);
-      const double           q_squared = 1.5 * double_contraction(s, s);
-      const double           q_yield   = yield_slope * p;
+      using std::sqrt;
+      const Number                    p = pressure(stress);
+      const SymmetricTensorOf<Number> s = stress + isotropic(p);
+      const Number q_squared = Number(1.5) * double_contraction(s, s);
+      const Number q_yield   = Number(yield_slope) * p;
 
-      if (p > 0.)
+      const auto   is_compressed = p > Number(0.);
+      const auto   yields        = q_squared > q_yield * q_yield;
+      const Number ratio =
+        select(yields, q_yield / sqrt(q_squared), Number(1.));
+      for (unsigned int c = 0; c < 4; ++c)
         {
-          if (q_squared <= q_yield * q_yield)
-            return Case::elastic;
-          const double ratio = q_yield / std::sqrt(q_squared);
-          stress             = ratio * s - SymmetricTensor4(p, p, p, 0.);
-          // The plastic strain increment is (1 - ratio) s / (2 G).
-          dissipation +=
-            ratio * (1. - ratio) * q_squared / (3. * elasticity.shear_modulus);
-          return Case::yielding;
+          const Number normal = c == Component::xy ? Number(0.) : p;
+          stress[c]           = select(is_compressed,
+                             select(yields, ratio * s[c] - normal, stress[c]),
+                             Number(0.));
         }
-
-      if (p == 0. && q_squared == 0.)
-        return Case::elastic;
-      stress.setZero();
-      return Case::separated;
+      // The plastic strain increment is (1 - ratio) s / (2 G).
+      return select(is_compressed,
+                    ratio * (Number(1.) - ratio) * q_squared *
+                      Number(1. / (3. * elasticity.shear_modulus)),
+                    Number(0.));
     }
 
     /**

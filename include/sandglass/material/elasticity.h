@@ -39,13 +39,13 @@ namespace Sandglass
       return std::sqrt(confined_modulus() / density);
     }
 
-    SymmetricTensor4
-    stress(const SymmetricTensor4 &strain) const
+    template <typename Number = double>
+    SymmetricTensorOf<Number>
+    stress(const SymmetricTensorOf<Number> &strain) const
     {
-      const double volumetric =
-        lame_modulus * (strain[0] + strain[1] + strain[2]);
-      return 2. * shear_modulus * strain +
-             SymmetricTensor4(volumetric, volumetric, volumetric, 0.);
+      const Number volumetric =
+        Number(lame_modulus) * (strain[0] + strain[1] + strain[2]);
+      return Number(2. * shear_modulus) * strain + isotropic(volumetric);
     }
 
     /// Elastic energy per volume, in J/m^3, of a stress in Pa.

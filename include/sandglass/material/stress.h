@@ -1,6 +1,8 @@
 #ifndef sandglass_material_stress_h
 #define sandglass_material_stress_h
 
+#include <sandglass/base/lanes.h>
+
 #include <Eigen/Core>
 
 namespace Sandglass
@@ -10,8 +12,13 @@ namespace Sandglass
    * leave: (xx, yy, zz, xy), where zz is the out-of-plane or hoop component.
    * Stresses are in Pa, tension positive. The shear component is the tensor's,
    * not the engineering strain.
+   *
+   * `Number` is double for one tensor, Lanes for those of several particles.
    */
-  using SymmetricTensor4 = Eigen::Vector4d;
+  template <typename Number>
+  using SymmetricTensorOf = Eigen::Matrix<Number, 4, 1>;
+
+  using SymmetricTensor4 = SymmetricTensorOf<double>;
 
   namespace Component
   {
@@ -25,34 +32,53 @@ namespace Sandglass
   }
 
   /// p = -tr(stress) / 3, compression positive (paper, Section 2.2).
-  inline double
-  pressure(const SymmetricTensor4 &stress)
+  template <typename Derived>
+  typename Derived::Scalar
+  pressure(const Eigen::MatrixBase<Derived> &stress)
   {
+    using Number = typename Derived::Scalar;
     return -(stress[Component::xx] + stress[Component::yy] +
-             stress[Component::zz]) /
-           3.;
+             stress[Component::zz]) *
+           Number(1. / 3.);
   }
 
-  inline SymmetricTensor4
-  deviator(const SymmetricTensor4 &stress)
+  /// The isotropic tensor with `value` on its diagonal.
+  template <typename Number>
+  SymmetricTensorOf<Number>
+  isotropic(const Number &value)
   {
-    const double p = pressure(stress);
-    return stress + SymmetricTensor4(p, p, p, 0.);
+    return {value, value, value, Number(0.)};
+  }
+
+  template <typename Derived>
+  SymmetricTensorOf<typename Derived::Scalar>
+  deviator(const Eigen::MatrixBase<Derived> &stress)
+  {
+    return stress + isotropic(pressure(stress));
   }
 
   /// a : b; the shear component counts twice.
-  inline double
-  double_contraction(const SymmetricTensor4 &a, const SymmetricTensor4 &b)
+  template <typename Number>
+  Number
+  double_contraction(const SymmetricTensorOf<Number> &a,
+                     const SymmetricTensorOf<Number> &b)
   {
     return a.dot(b) + a[Component::xy] * b[Component::xy];
   }
 
-  /// q = sqrt(3/2 s : s) of the deviator s (paper, Section 2.2).
+  /// q^2 = 3/2 s : s of the deviator s.
+  inline double
+  squared_von_mises_stress(const SymmetricTensor4 &stress)
+  {
+    const SymmetricTensor4 s = deviator(stress);
+    return 1.5 * double_contraction(s, s);
+  }
+
+  /// q = sqrt(3/2 s : s) (paper, Section 2.2).
   inline double
   von_mises_stress(const SymmetricTensor4 &stress)
   {
-    const SymmetricTensor4 s = deviator(stress);
-    return std::sqrt(1.5 * double_contraction(s, s));
+    return std::sqrt(squared_von_mises_stress(stress));
   }
 
   /**
@@ -78,16 +104,17 @@ namespace Sandglass
    * How one step turns stress in the plane: the deviatoric pair (d, t) = ((s_xx
    * - s_yy) / 2, s_xy) becomes (cosine d - sine t, sine d + cosine t).
    */
+  template <typename Number>
   struct StressRotation
   {
-    double cosine = 1.;
-    double sine   = 0.;
+    Number cosine;
+    Number sine;
 
     /// As jaumann_rotation(): first order, the stress grows a little.
     static StressRotation
-    forward_euler(const double spin)
+    forward_euler(const Number &spin)
     {
-      return {1., 2. * spin};
+      return {Number(1.), Number(2.) * spin};
     }
 
     /**
@@ -95,30 +122,35 @@ namespace Sandglass
      * which is the exact one if `spin` is that of the increment's middle.
      */
     static StressRotation
-    hughes_winget(const double spin)
+    hughes_winget(const Number &spin)
     {
       const StressRotation half = half_hughes_winget(spin);
       return {half.cosine * half.cosine - half.sine * half.sine,
-              2. * half.sine * half.cosine};
+              Number(2.) * half.sine * half.cosine};
     }
 
     /// Half as far: from the middle of the step to its end.
     static StressRotation
-    half_hughes_winget(const double spin)
+    half_hughes_winget(const Number &spin)
     {
-      const double t = 0.5 * spin;
-      return {(1. - t * t) / (1. + t * t), 2. * t / (1. + t * t)};
+      const Number t       = Number(0.5) * spin;
+      const Number inverse = Number(1.) / (Number(1.) + t * t);
+      return {(Number(1.) - t * t) * inverse, Number(2.) * t * inverse};
     }
   };
 
-  inline SymmetricTensor4
-  rotate(const SymmetricTensor4 &stress, const StressRotation &rotation)
+  /// @tparam Rotation  StressRotation of the stress's number type, or of double
+  ///                   for a rotation that all lanes share.
+  template <typename Number, typename Rotation>
+  SymmetricTensorOf<Number>
+  rotate(const SymmetricTensorOf<Number> &stress, const Rotation &rotation)
   {
-    const double mean  = 0.5 * (stress[Component::xx] + stress[Component::yy]);
-    const double d     = 0.5 * (stress[Component::xx] - stress[Component::yy]);
-    const double t     = stress[Component::xy];
-    const double new_d = rotation.cosine * d - rotation.sine * t;
-    const double new_t = rotation.sine * d + rotation.cosine * t;
+    const Number half(0.5);
+    const Number mean  = half * (stress[Component::xx] + stress[Component::yy]);
+    const Number d     = half * (stress[Component::xx] - stress[Component::yy]);
+    const Number t     = stress[Component::xy];
+    const Number new_d = rotation.cosine * d - rotation.sine * t;
+    const Number new_t = rotation.sine * d + rotation.cosine * t;
     return {mean + new_d, mean - new_d, stress[Component::zz], new_t};
   }
 } // namespace Sandglass

@@ -34,24 +34,47 @@ namespace Sandglass
         field.at(nodes[i])[c] += values[i][c];
   }
 
-  /**
-   * Call `kernel(cell index, shape, nodes, particles)` for each of this rank's
-   * cells that holds particles.
-   */
-  template <CellType cell_type, typename Kernel>
+  /// Call `kernel(cell)` with the index of each cell that holds particles.
+  template <typename Kernel>
   void
-  for_each_filled_cell(ParticleCloud                 &cloud,
-                       const CellGeometry<cell_type> &geometry,
-                       const Kernel                  &kernel)
+  for_each_filled_cell(const ParticleBlocks &blocks, const Kernel &kernel)
   {
-    for (const auto &cell : cloud.owned_cells())
+    for (unsigned int cell = 0; cell < blocks.n_cells(); ++cell)
+      if (blocks.first_block(cell) != ParticleBlocks::none)
+        kernel(cell);
+  }
+
+  /// sum_i N_i v_i
+  template <typename Number, std::size_t n_nodes>
+  Pair<Number>
+  interpolate(const CellValues<dim, n_nodes>    &nodal_values,
+              const std::array<Number, n_nodes> &shape_values)
+  {
+    Pair<Number> value;
+    for (unsigned int d = 0; d < dim; ++d)
       {
-        const auto particles = cloud.handler.particles_in_cell(cell);
-        if (particles.begin() == particles.end())
-          continue;
-        const unsigned int index = cell->active_cell_index();
-        kernel(index, geometry.shape(index), geometry.nodes(index), particles);
+        value[d] = shape_values[0] * nodal_values[0][d];
+        for (unsigned int i = 1; i < n_nodes; ++i)
+          value[d] += shape_values[i] * nodal_values[i][d];
       }
+    return value;
+  }
+
+  /// sum_i v_i dN_i/dx: row d is the gradient of component d.
+  template <typename Number, std::size_t n_nodes>
+  std::array<Pair<Number>, dim>
+  gradient_of(const CellValues<dim, n_nodes>          &nodal_values,
+              const std::array<Pair<Number>, n_nodes> &shape_gradients)
+  {
+    std::array<Pair<Number>, dim> gradient;
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int e = 0; e < dim; ++e)
+        {
+          gradient[d][e] = nodal_values[0][d] * shape_gradients[0][e];
+          for (unsigned int i = 1; i < n_nodes; ++i)
+            gradient[d][e] += nodal_values[i][d] * shape_gradients[i][e];
+        }
+    return gradient;
   }
 } // namespace Sandglass
 

@@ -3,9 +3,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/material/elasticity.h>
+#include <sandglass/particle_stage/cell_stiffness.h>
 #include <sandglass/particle_stage/contact.h>
-#include <sandglass/particle_stage/deformation.h>
 #include <sandglass/particle_stage/mass_matrix.h>
 #include <sandglass/particle_stage/random_nodal_field.h>
 #include <sandglass/scene/scene.h>
@@ -25,36 +24,24 @@ namespace Sandglass
    * the velocity map.
    *
    * Power iteration finds lambda, with the Rayleigh quotient
-   * (f^T G f) / (u^T f), which is never above it. It starts afresh from the
-   * same random vector each time: the stiffest spot moves, and a restarted run
-   * has to find the same step.
+   * (f^T G f) / (u^T f), which is never above it. It starts afresh each time,
+   * since the stiffest spot moves and a restarted run has to find the same
+   * step, from random numbers times what each node's own entries of G and K
+   * say of it: a plain random vector would miss a single stiff node.
    *
    * Nodes on the axis and in fixed corners are held. On the axis of
    * axisymmetric scenes a particle's hoop strain would otherwise grow without
    * bound as it nears the axis.
-   *
-   * Particles without stress that are less dense than `stiff_share` of the
-   * unstressed material are separated; they don't count.
    */
   template <typename Setting>
   class CriticalTimeStep
   {
   public:
-    static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
-    using Shape                           = CellShape<Setting::cell_type>;
-    using Geometry                        = CellGeometry<Setting::cell_type>;
-
-    static constexpr double stiff_share = 0.95;
-
-    /// On plane triangles all particles of a cell deform alike.
-    static constexpr bool is_uniform =
-      Setting::has_constant_gradients && !Setting::has_hoop_strain;
-
-    CriticalTimeStep(const Elasticity &elasticity,
-                     const double      unstressed_density,
-                     const Scene      &scene)
-      : elasticity(elasticity)
-      , smallest_density(stiff_share * unstressed_density)
+    CriticalTimeStep(const Elasticity                       &elasticity,
+                     const CellGeometry<Setting::cell_type> &geometry,
+                     const Scene                            &scene)
+      : stiffness(elasticity, geometry)
+      , confined_modulus(elasticity.confined_modulus())
       , scene(scene)
       , random_direction(*scene.nodes)
       , direction(*scene.nodes)
@@ -67,38 +54,82 @@ namespace Sandglass
     /**
      * @param mass_matrix  assembled for the particles' present positions.
      * @param contact      walls may let a node go, the axis and corners don't.
-     * @param sums         of these positions; only masses are used.
+     * @param sums         of these positions, with stiffness.
      * @return the critical step in s, infinity if nothing is stiff. Collective.
      */
     double
-    compute(ParticleCloud                            &cloud,
-            const Geometry                           &geometry,
+    compute(const ParticleBlocks                     &blocks,
+            const NodalSums<Setting>                 &cells,
             MassMatrix<Setting>                      &mass_matrix,
             const Contact                            &contact,
             const NodalField<NodalSum::n_components> &sums,
             const unsigned int                        n_iterations)
     {
-      direction = random_direction;
+      stiffness.assemble(blocks, cells);
+      set_first_direction(sums);
       contact.release_always_held(direction);
       direction.update_ghosts();
       double eigenvalue = 0.;
       for (unsigned int i = 0; i < n_iterations; ++i)
-        eigenvalue = iterate(cloud, geometry, mass_matrix, contact, sums);
+        eigenvalue = iterate(blocks, cells, mass_matrix, contact, sums);
       return 2. / std::sqrt(eigenvalue);
     }
 
+    /**
+     * The largest of the nodes' own eigenvalues, what lambda would be if only
+     * that node moved, in 1/s^2: cheap enough to be looked at in each step.
+     * Collective.
+     */
+    double
+    local_eigenvalue(const NodalField<NodalSum::n_components> &sums) const
+    {
+      double largest = 0.;
+      for (unsigned int node = 0; node < scene.nodes->locally_owned_size();
+           ++node)
+        largest = std::max(largest, own_eigenvalue(sums.at(node)));
+      return confined_modulus *
+             Utilities::MPI::max(largest, scene.communicator);
+    }
+
   private:
+    /// Up to the modulus, in m^2/kg.
+    static double
+    own_eigenvalue(const double *sums)
+    {
+      const double mass = sums[NodalSum::mass];
+      return mass > 0. ? sums[NodalSum::own_mass] / mass *
+                           (sums[NodalSum::stiffness] / mass) :
+                         0.;
+    }
+
+    void
+    set_first_direction(const NodalField<NodalSum::n_components> &sums)
+    {
+      for (unsigned int node = 0; node < scene.nodes->locally_owned_size();
+           ++node)
+        {
+          const double weight = own_eigenvalue(sums.at(node));
+          for (unsigned int d = 0; d < dim; ++d)
+            direction.at(node)[d] = weight * random_direction.at(node)[d];
+        }
+    }
+
     /// One power iteration; returns the Rayleigh quotient in 1/s^2.
     double
-    iterate(ParticleCloud                            &cloud,
-            const Geometry                           &geometry,
+    iterate(const ParticleBlocks                     &blocks,
+            const NodalSums<Setting>                 &cells,
             MassMatrix<Setting>                      &mass_matrix,
             const Contact                            &contact,
             const NodalField<NodalSum::n_components> &sums)
     {
-      const double energy = apply_stiffness(cloud, geometry);
+      force.start_sum();
+      const double energy = stiffness.multiply(blocks, cells, direction, force);
+      force.finish_sum();
       accelerate(mass_matrix, contact, sums, force);
-      const double mapped_energy = apply_consistent_mass(cloud, geometry);
+      mapped_force.start_sum();
+      const double mapped_energy =
+        cells.multiply_by_mass(blocks, force, mapped_force);
+      mapped_force.finish_sum();
 
       const Tensor<1, 2> totals =
         Utilities::MPI::sum(Tensor<1, 2>({energy, mapped_energy}),
@@ -129,123 +160,9 @@ namespace Sandglass
       field.update_ghosts();
     }
 
-    /// force = K direction; returns this rank's share of u^T K u.
-    double
-    apply_stiffness(ParticleCloud &cloud, const Geometry &geometry)
-    {
-      double energy = 0.;
-      force.start_sum();
-      for_each_filled_cell(
-        cloud,
-        geometry,
-        [this, &energy](const unsigned int,
-                        const Shape &shape,
-                        const auto  &nodes,
-                        const auto  &particles) {
-          const auto               displacements = gather(direction, nodes);
-          CellValues<dim, n_nodes> forces{};
-          if constexpr (is_uniform)
-            {
-              double volume = 0.;
-              for (const auto &particle : particles)
-                volume += stiff_volume(particle);
-              add_elastic_force(shape, displacements, {}, 1., volume, forces);
-            }
-          else
-            for (const auto &particle : particles)
-              add_elastic_force(shape,
-                                displacements,
-                                particle.get_reference_location(),
-                                particle.get_location()[0],
-                                stiff_volume(particle),
-                                forces);
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            for (unsigned int d = 0; d < dim; ++d)
-              energy += forces[i][d] * displacements[i][d];
-          scatter(forces, nodes, force);
-        });
-      force.finish_sum();
-      return energy;
-    }
-
-    /// Volume of a particle that carries stress, in m^3, otherwise 0.
-    template <typename Particle>
-    double
-    stiff_volume(const Particle &particle) const
-    {
-      const double *state    = particle.get_properties().data();
-      const double  density  = state[Property::density];
-      const bool    is_stiff = density >= smallest_density ||
-                            state[Property::stress + Component::yy] != 0.;
-      return is_stiff ? state[Property::mass] / density : 0.;
-    }
-
-    void
-    add_elastic_force(const Shape                    &shape,
-                      const CellValues<dim, n_nodes> &displacements,
-                      const Point<dim>               &reference,
-                      const double                    radius,
-                      const double                    volume,
-                      CellValues<dim, n_nodes>       &forces) const
-    {
-      const auto                 values    = Shape::shape_values(reference);
-      const auto                 gradients = shape.shape_gradients(reference);
-      const double               hoop      = Setting::has_hoop_strain ?
-                                               interpolate(displacements, values)[0] / radius :
-                                               0.;
-      const DeformationIncrement deformation(gradient_of(displacements,
-                                                         gradients),
-                                             hoop);
-      const SymmetricTensor4     stress =
-        volume * elasticity.stress(deformation.strain);
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        {
-          forces[i][0] += stress[Component::xx] * gradients[i][0] +
-                          stress[Component::xy] * gradients[i][1];
-          forces[i][1] += stress[Component::xy] * gradients[i][0] +
-                          stress[Component::yy] * gradients[i][1];
-          if constexpr (Setting::has_hoop_strain)
-            forces[i][0] += stress[Component::zz] * values[i] / radius;
-        }
-    }
-
-    /// mapped_force = M_c force; returns this rank's share of f^T M_c f.
-    double
-    apply_consistent_mass(ParticleCloud &cloud, const Geometry &geometry)
-    {
-      double energy = 0.;
-      mapped_force.start_sum();
-      for_each_filled_cell(cloud,
-                           geometry,
-                           [this, &energy](const unsigned int,
-                                           const Shape &,
-                                           const auto &nodes,
-                                           const auto &particles) {
-                             const auto accelerations = gather(force, nodes);
-                             CellValues<dim, n_nodes> mapped{};
-                             for (const auto &particle : particles)
-                               {
-                                 const double mass =
-                                   particle.get_properties()[Property::mass];
-                                 const auto values = Shape::shape_values(
-                                   particle.get_reference_location());
-                                 const Tensor<1, dim> acceleration =
-                                   interpolate(accelerations, values);
-                                 energy += mass * acceleration.norm_square();
-                                 for (unsigned int i = 0; i < n_nodes; ++i)
-                                   for (unsigned int d = 0; d < dim; ++d)
-                                     mapped[i][d] +=
-                                       mass * values[i] * acceleration[d];
-                               }
-                             scatter(mapped, nodes, mapped_force);
-                           });
-      mapped_force.finish_sum();
-      return energy;
-    }
-
-    const Elasticity elasticity;
-    const double     smallest_density;
-    const Scene     &scene;
+    CellStiffness<Setting> stiffness;
+    const double           confined_modulus;
+    const Scene           &scene;
 
     NodalField<dim> random_direction;
     NodalField<dim> direction;    ///< u, the eigenvector's approximation

@@ -2,102 +2,105 @@
 #define sandglass_particle_stage_deformation_h
 
 #include <sandglass/material/stress.h>
-#include <sandglass/particle_stage/cell_kernel.h>
 #include <sandglass/particle_stage/particle_stage_parameters.h>
 
 namespace Sandglass
 {
   /// Strain and rotation of one step, from the velocity v^L.
+  template <typename Number>
   struct DeformationIncrement
   {
-    SymmetricTensor4 strain; ///< tensor components
-    StressRotation   rotation;
-    double           jacobian;
+    SymmetricTensorOf<Number> strain; ///< tensor components
+    StressRotation<Number>    rotation;
+    Number                    jacobian;
 
     /**
-     * @param gradient  of the displacement increment, du_i/dx_j, x at the start
+     * @param gradient  of the displacement increment, du_i/dx_j as [i][j], x at
+     *                  the start
      * @param hoop      u_x / x, zero in plane strain
      */
+    template <typename Gradient>
     DeformationIncrement(
-      const Tensor<2, dim>   &gradient,
-      const double            hoop,
+      const Gradient         &gradient,
+      const Number           &hoop,
       const StressIntegration integration = StressIntegration::start_of_step)
-      : jacobian(((1. + gradient[0][0]) * (1. + gradient[1][1]) -
-                  gradient[0][1] * gradient[1][0]) *
-                 (1. + hoop))
+      : jacobian(determinant_of_sum(gradient, 1.) * (Number(1.) + hoop))
     {
       if (integration == StressIntegration::start_of_step)
         {
           set_strain(gradient, hoop);
-          rotation = StressRotation::forward_euler(spin(gradient));
+          rotation = StressRotation<Number>::forward_euler(spin(gradient));
           return;
         }
-      Tensor<2, dim> middle = 0.5 * gradient; // dx_middle / dx
-      for (unsigned int d = 0; d < dim; ++d)
-        middle[d][d] += 1.;
-      const Tensor<2, dim> middle_gradient = gradient * invert(middle);
-      set_strain(middle_gradient, hoop / (1. + 0.5 * hoop));
-      const double middle_spin = spin(middle_gradient);
-      rotation                 = StressRotation::hughes_winget(middle_spin);
-      strain = rotate(strain, StressRotation::half_hughes_winget(middle_spin));
+      const auto   middle_gradient = in_the_middle(gradient);
+      const Number middle_spin     = spin(middle_gradient);
+      set_strain(middle_gradient, hoop / (Number(1.) + Number(0.5) * hoop));
+      rotation = StressRotation<Number>::hughes_winget(middle_spin);
+      strain =
+        rotate(strain, StressRotation<Number>::half_hughes_winget(middle_spin));
     }
 
     /// The same with another change of volume, theta = tr(strain).
     DeformationIncrement
-    with_volume_change(const double theta) const
+    with_volume_change(const Number &theta) const
     {
-      const double difference = theta - strain[Component::xx] -
+      const Number difference = theta - strain[Component::xx] -
                                 strain[Component::yy] - strain[Component::zz];
       DeformationIncrement result(*this);
-      result.strain += difference / 3. * SymmetricTensor4(1., 1., 1., 0.);
-      result.jacobian *= 1. + difference;
+      result.strain += isotropic(Number(1. / 3.) * difference);
+      result.jacobian *= Number(1.) + difference;
       return result;
     }
 
   private:
+    /// det(1 + factor * gradient)
+    template <typename Gradient>
+    static Number
+    determinant_of_sum(const Gradient &gradient, const double factor)
+    {
+      const Number f(factor), one(1.);
+      return (one + f * gradient[0][0]) * (one + f * gradient[1][1]) -
+             f * gradient[0][1] * (f * gradient[1][0]);
+    }
+
+    /// With respect to the positions in the middle of the step: gradient times
+    /// the inverse of dx_middle / dx = 1 + gradient / 2.
+    template <typename Gradient>
+    static std::array<std::array<Number, 2>, 2>
+    in_the_middle(const Gradient &gradient)
+    {
+      const Number half(0.5), one(1.);
+      const Number scale         = one / determinant_of_sum(gradient, 0.5);
+      const Number inverse[2][2] = {{(one + half * gradient[1][1]) * scale,
+                                     -half * gradient[0][1] * scale},
+                                    {-half * gradient[1][0] * scale,
+                                     (one + half * gradient[0][0]) * scale}};
+      std::array<std::array<Number, 2>, 2> result;
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          result[i][j] =
+            gradient[i][0] * inverse[0][j] + gradient[i][1] * inverse[1][j];
+      return result;
+    }
+
+    template <typename Gradient>
     void
-    set_strain(const Tensor<2, dim> &gradient, const double hoop)
+    set_strain(const Gradient &gradient, const Number &hoop)
     {
       strain = {gradient[0][0],
                 gradient[1][1],
                 hoop,
-                0.5 * (gradient[0][1] + gradient[1][0])};
+                Number(0.5) * (gradient[0][1] + gradient[1][0])};
     }
 
     /// omega_xy, in rad, positive counterclockwise
-    static double
-    spin(const Tensor<2, dim> &gradient)
+    template <typename Gradient>
+    static Number
+    spin(const Gradient &gradient)
     {
-      return 0.5 * (gradient[1][0] - gradient[0][1]);
+      return Number(0.5) * (gradient[1][0] - gradient[0][1]);
     }
   };
-
-  /// sum_i N_i v_i
-  template <std::size_t n_nodes>
-  Tensor<1, dim>
-  interpolate(const CellValues<dim, n_nodes>    &nodal_values,
-              const std::array<double, n_nodes> &shape_values)
-  {
-    Tensor<1, dim> value;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      for (unsigned int d = 0; d < dim; ++d)
-        value[d] += shape_values[i] * nodal_values[i][d];
-    return value;
-  }
-
-  /// sum_i v_i dN_i/dx
-  template <std::size_t n_nodes>
-  Tensor<2, dim>
-  gradient_of(const CellValues<dim, n_nodes>            &nodal_values,
-              const std::array<Tensor<1, dim>, n_nodes> &shape_gradients)
-  {
-    Tensor<2, dim> gradient;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int e = 0; e < dim; ++e)
-          gradient[d][e] += nodal_values[i][d] * shape_gradients[i][e];
-    return gradient;
-  }
 } // namespace Sandglass
 
 #endif

@@ -1,10 +1,10 @@
 #ifndef sandglass_particle_stage_explicit_particle_stage_h
 #define sandglass_particle_stage_explicit_particle_stage_h
 
+#include <sandglass/particle_stage/critical_time_step.h>
 #include <sandglass/particle_stage/nodal_equations.h>
-#include <sandglass/particle_stage/nodal_sums.h>
+#include <sandglass/particle_stage/particle_pass.h>
 #include <sandglass/particle_stage/particle_stage.h>
-#include <sandglass/particle_stage/particle_velocity.h>
 
 namespace Sandglass
 {
@@ -22,27 +22,32 @@ namespace Sandglass
       , initial_configuration(scene, geometry)
       , unstressed_density(material.density)
       , stress_update(material.drucker_prager(), material.density)
+      , nodal_sums(geometry,
+                   CellStiffness<Setting>::stiff_share * material.density)
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , volumetric_average(
           *scene.nodes,
           scene.triangulation.n_active_cells(),
           density_update == DensityUpdate::separation ? material.density : 0.,
           parameters.volumetric_strain == VolumetricStrain::averaged)
-      , critical(material.elasticity(), material.density, scene)
+      , critical(material.elasticity(), geometry, scene)
       , relocation(scene, geometry, walls, parameters)
     {
       seed_particles();
       if (parameters.has_automatic_time_step)
-        seeded_critical_time_step = critical_time_step();
+        {
+          seeded_critical_time_step = critical_time_step();
+          last_local_eigenvalue     = local_eigenvalue();
+          seeded_local_eigenvalue   = last_local_eigenvalue;
+        }
     }
 
     void
     step() override
     {
       timer.start();
-      // Steps 2 to 4: sums over the particles
-      NodalSums<Setting>::compute(cloud, geometry, fields.sums);
-      mass_matrix.assemble(cloud, fields.sums);
+      // Steps 2 to 4: sums over the particles, mostly left by the last pass
+      update_sums();
       clock.time_step = choose_time_step();
       // Step 2: nodal velocity
       solve_velocity(fields, *scene.nodes, mass_matrix);
@@ -53,64 +58,50 @@ namespace Sandglass
                          contact,
                          scene.gravity,
                          clock.time_step);
-      // Step 6, and the sums of step 7
-      update_particle_velocity<Setting>(cloud,
-                                        geometry,
-                                        fields.acceleration,
-                                        clock.time_step,
-                                        fields.mapped_velocity);
       // Step 7: the velocity that deforms and moves the particles
+      nodal_sums.map_momentum(cloud.blocks(),
+                              fields.sums,
+                              fields.acceleration,
+                              clock.time_step,
+                              *scene.nodes,
+                              fields.mapped_velocity);
       solve_mapped_velocity(fields, mass_matrix, contact);
-      // Steps 8 and 9: stress, density and position
-      volumetric_average.compute(cloud, geometry, fields.mapped_velocity);
-      strays.clear();
+      // Steps 6, 8 and 9: velocity, stress, density and position
+      volumetric_average.compute(cloud.blocks(),
+                                 geometry,
+                                 fields.mapped_velocity);
       plastic_dissipation +=
-        volumetric_average.is_on ? move<true>() : move<false>();
-      particle_steps += cloud.handler.n_locally_owned_particles();
-      relocation.relocate(strays, cloud, clock);
+        volumetric_average.is_on ? pass<true>() : pass<false>();
+      particle_steps += cloud.n_locally_owned_particles();
+      nodal_sums.add(cloud.blocks(), relocation.relocate(strays, cloud, clock));
+      scatter_sums();
       // Step 10
       clock.time += clock.time_step;
       ++clock.step;
       check_speed();
+      keep_blocks_in_order();
       timer.stop();
     }
 
     double
     critical_time_step() override
     {
-      NodalSums<Setting>::compute(cloud, geometry, fields.sums);
-      mass_matrix.assemble(cloud, fields.sums);
+      nodal_sums.compute(cloud.blocks());
+      nodal_sums.template scatter<true>(cloud.blocks(), fields.sums);
+      mass_matrix.assemble(cloud.blocks(), nodal_sums, fields.sums);
       return find_critical_time_step();
     }
 
     void
     set_initial_state(const InitialStateFunction &initial_state) override
     {
-      strays.clear();
-      for (const auto &cell : cloud.owned_cells())
-        {
-          const auto particles = cloud.handler.particles_in_cell(cell);
-          for (auto particle = particles.begin(); particle != particles.end();
-               ++particle)
-            {
-              const InitialState initial =
-                initial_state(cell->active_cell_index(),
-                              particle->get_reference_location());
-              const auto state = particle->get_properties();
-              std::copy_n(initial.stress.data(),
-                          initial.stress.size(),
-                          state.begin() + Property::stress);
-              state[Property::density] =
-                unstressed_density / initial.volume_ratio;
-              particle->set_location(particle->get_location() +
-                                     initial.displacement);
-              particle->set_reference_location(
-                geometry.shape(cell->active_cell_index())
-                  .to_reference(particle->get_location()));
-              strays.push_back({particle, cell->active_cell_index()});
-            }
-        }
+      cloud.edit([&](ParticleCloud::Handler &handler) {
+        for (auto &particle : handler)
+          set_initial_state(initial_state, particle);
+      });
+      find_strays();
       relocation.relocate(strays, cloud, clock);
+      cloud.start_new_edition();
     }
 
     Point<dim>
@@ -126,17 +117,90 @@ namespace Sandglass
     }
 
   private:
-    /// Steps 8 and 9; returns the plastic work in J.
+    /// Steps 6, 8 and 9, and the next step's sums; returns the plastic work.
     template <bool is_averaged>
     double
-    move()
+    pass()
     {
-      return ParticleMotion<Setting, density_update, is_averaged>(
+      return ParticlePass<Setting, density_update, is_averaged>(
+               geometry,
                stress_update,
                volumetric_average,
                parameters.stress_integration,
                clock.time_step)
-        .compute(cloud, geometry, fields.mapped_velocity, strays);
+        .run(cloud.change_blocks(),
+             fields.acceleration,
+             fields.mapped_velocity,
+             nodal_sums,
+             strays);
+    }
+
+    /// The sums at the nodes, anew if particles have changed by other means.
+    void
+    update_sums()
+    {
+      if (edition_of_sums != cloud.edition())
+        {
+          nodal_sums.compute(cloud.blocks());
+          scatter_sums();
+          edition_of_sums = cloud.edition();
+        }
+      mass_matrix.assemble(cloud.blocks(), nodal_sums, fields.sums);
+    }
+
+    void
+    scatter_sums()
+    {
+      if (parameters.has_automatic_time_step)
+        nodal_sums.template scatter<true>(cloud.blocks(), fields.sums);
+      else
+        nodal_sums.template scatter<false>(cloud.blocks(), fields.sums);
+    }
+
+    /// From time to time, as particles that change cell mix them up.
+    void
+    keep_blocks_in_order()
+    {
+      constexpr unsigned long interval = 500;
+      if (clock.step % interval == 0)
+        cloud.change_blocks().sort();
+    }
+
+    void
+    set_initial_state(const InitialStateFunction       &initial_state,
+                      Particles::ParticleAccessor<dim> &particle) const
+    {
+      const auto         cell = particle.get_surrounding_cell();
+      const InitialState initial =
+        initial_state(cell->active_cell_index(),
+                      particle.get_reference_location());
+      const auto state = particle.get_properties();
+      std::copy_n(initial.stress.data(),
+                  initial.stress.size(),
+                  state.begin() + Property::stress);
+      state[Property::density] = unstressed_density / initial.volume_ratio;
+      particle.set_location(particle.get_location() + initial.displacement);
+      particle.set_reference_location(geometry.shape(cell->active_cell_index())
+                                        .to_reference(particle.get_location()));
+    }
+
+    /// All particles that are outside their cells.
+    void
+    find_strays()
+    {
+      strays.clear();
+      for (const auto &cell : cloud.owned_cells())
+        cloud.blocks().for_each_in_cell(
+          cell->active_cell_index(), [&](const ParticleSlot &slot) {
+            const Point<dim> reference =
+              cloud.blocks()[slot.block].point(ParticleBlock::reference,
+                                               slot.lane);
+            if (!CellGeometry<Setting::cell_type>::is_inside(
+                  reference, Relocation<Setting::cell_type>::margin))
+              strays.push_back(slot);
+          });
+      // The order that ParticleBlocks::remove() asks for.
+      std::reverse(strays.begin(), strays.end());
     }
 
     void
@@ -151,7 +215,7 @@ namespace Sandglass
             continue;
           for (unsigned int k = 0; k < n; ++k)
             {
-              ParticleCloud::Parcel parcel{};
+              Parcel parcel{};
               parcel.cell            = index;
               parcel.id              = n * index + k;
               parcel.reference_point = points[k];
@@ -162,7 +226,6 @@ namespace Sandglass
               cloud.insert(parcel);
             }
         }
-      cloud.handler.update_cached_numbers();
     }
 
     double
@@ -170,21 +233,35 @@ namespace Sandglass
     {
       // Within a few per cent of the eigenvalue; the safety factor covers them.
       constexpr unsigned int n_iterations = 10;
-      return critical.compute(
-        cloud, geometry, mass_matrix, contact, fields.sums, n_iterations);
+      return critical.compute(cloud.blocks(),
+                              nodal_sums,
+                              mass_matrix,
+                              contact,
+                              fields.sums,
+                              n_iterations);
+    }
+
+    double
+    local_eigenvalue() const override
+    {
+      return critical.local_eigenvalue(fields.sums);
     }
 
     const CellGeometry<Setting::cell_type>         geometry;
     const InitialConfiguration<Setting::cell_type> initial_configuration;
     const double                                   unstressed_density;
     const StressUpdate<density_update>             stress_update;
+    NodalSums<Setting>                             nodal_sums;
     MassMatrix<Setting>                            mass_matrix;
     VolumetricAverage<Setting>                     volumetric_average;
     CriticalTimeStep<Setting>                      critical;
     Relocation<Setting::cell_type>                 relocation;
 
+    /// Of the particles that `nodal_sums` hold; none yet.
+    unsigned int edition_of_sums = numbers::invalid_unsigned_int;
+
     /// Kept between steps to avoid allocation.
-    std::vector<Stray> strays;
+    std::vector<ParticleSlot> strays;
   };
 } // namespace Sandglass
 

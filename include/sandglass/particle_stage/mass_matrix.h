@@ -5,7 +5,7 @@
 #include <deal.II/lac/solver_cg.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/particle_stage/nodal_sums.h>
 
 #include <memory>
 
@@ -25,7 +25,6 @@ namespace Sandglass
   {
   public:
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
-    using Shape                           = CellShape<Setting::cell_type>;
     using Geometry                        = CellGeometry<Setting::cell_type>;
     using Vector                          = NodalField<dim>::Vector;
     using Sums                            = NodalField<NodalSum::n_components>;
@@ -48,22 +47,19 @@ namespace Sandglass
       return consistent_share == 0.;
     }
 
-    /// Take the masses from the particles' positions and their sums.
+    /// Take the masses from the particles' sums.
     void
-    assemble(ParticleCloud &cloud, const Sums &sums)
+    assemble(const ParticleBlocks     &blocks,
+             const NodalSums<Setting> &cells,
+             const Sums               &sums)
     {
       if (is_lumped())
         return;
       workspace->cells.clear();
-      for_each_filled_cell(cloud,
-                           geometry,
-                           [this](const unsigned int,
-                                  const Shape &,
-                                  const auto &cell_nodes,
-                                  const auto &particles) {
-                             workspace->cells.push_back(
-                               cell_mass(cell_nodes, particles));
-                           });
+      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        workspace->cells.push_back(
+          cell_mass(geometry.nodes(cell), cells[cell]));
+      });
       Vector &inverse = workspace->inverse_lumped_mass.get_vector();
       for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
         for (unsigned int d = 0; d < dim; ++d)
@@ -168,24 +164,16 @@ namespace Sandglass
       return mass > 0. ? 1. / mass : 0.;
     }
 
-    template <typename ParticleRange>
     CellMass
     cell_mass(const std::array<unsigned int, n_nodes> &cell_nodes,
-              const ParticleRange                     &particles) const
+              const CellSums<Setting, double>         &sums) const
     {
       CellMass cell{cell_nodes, {}};
-      for (const auto &particle : particles)
+      for (unsigned int i = 0; i < n_nodes; ++i)
         {
-          const double mass = particle.get_properties()[Property::mass];
-          const auto   values =
-            Shape::shape_values(particle.get_reference_location());
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            {
-              for (unsigned int j = 0; j < n_nodes; ++j)
-                cell.matrix[i][j] +=
-                  consistent_share * mass * values[i] * values[j];
-              cell.matrix[i][i] += (1. - consistent_share) * mass * values[i];
-            }
+          for (unsigned int j = 0; j < n_nodes; ++j)
+            cell.matrix[i][j] = consistent_share * sums.mass_entry(i, j);
+          cell.matrix[i][i] += (1. - consistent_share) * sums.lumped_mass(i);
         }
       return cell;
     }

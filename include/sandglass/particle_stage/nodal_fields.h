@@ -95,7 +95,9 @@ namespace Sandglass
       mass           = 0, ///< lumped, in kg
       momentum       = 1, ///< in kg m/s
       internal_force = 3, ///< R of eq. 9, in N
-      n_components   = 5
+      own_mass       = 5, ///< of the consistent mass matrix's diagonal, in kg
+      stiffness      = 6, ///< of stressed volume times |dN_i/dx|^2, in m
+      n_components   = 7
     };
   }
 

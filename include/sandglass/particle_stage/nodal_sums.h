@@ -1,8 +1,7 @@
 #ifndef sandglass_particle_stage_nodal_sums_h
 #define sandglass_particle_stage_nodal_sums_h
 
-#include <sandglass/material/stress.h>
-#include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/particle_stage/cell_sums.h>
 
 namespace Sandglass
 {
@@ -11,99 +10,194 @@ namespace Sandglass
    * M_I, nodal momentum S^T M_d V (eq. 11) and nodal internal force R (eq. 9;
    * axisymmetric with the hoop row N_i / x of B). The gravity force of step 4
    * is the nodal mass times gravity and needs no sum of its own.
+   *
+   * They come in two stages: the particles' sums in their cell, which the pass
+   * over the particles leaves for the next step, and the cells' at the nodes.
    */
   template <typename Setting>
   class NodalSums
   {
   public:
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
-    using Shape                           = CellShape<Setting::cell_type>;
-    using SumsOfCell = CellValues<NodalSum::n_components, n_nodes>;
+    using Geometry                        = CellGeometry<Setting::cell_type>;
+    using OfCell                          = CellSums<Setting, double>;
+    using OfBlocks                        = CellSums<Setting, Lanes>;
 
-    static void
-    compute(ParticleCloud                          &cloud,
-            const CellGeometry<Setting::cell_type> &geometry,
-            NodalField<NodalSum::n_components>     &sums)
+    /// @param smallest_stiff_density  of particles without stress that count as
+    ///                                stiff, in kg/m^3.
+    NodalSums(const Geometry &geometry, const double smallest_stiff_density)
+      : smallest_stiff_density(smallest_stiff_density)
+      , geometry(geometry)
+      , cells(geometry.n_cells())
+    {}
+
+    /// Sum over all particles anew, in their cells.
+    void
+    compute(const ParticleBlocks &blocks)
+    {
+      run_with_widest_vectors([&]() {
+        for_each_filled_cell(blocks, [&](const unsigned int cell) {
+          OfBlocks sums;
+          sums.clear();
+          for (unsigned int block = blocks.first_block(cell);
+               block != ParticleBlocks::none;
+               block = blocks.next_block(block))
+            {
+              const ParticleState<Lanes> state = load_state(blocks[block]);
+              sums.add(state,
+                       state.mass,
+                       state.volume(),
+                       smallest_stiff_density,
+                       geometry.shape(cell));
+            }
+          sum_lanes(sums.values, cells[cell].values);
+        });
+      });
+    }
+
+    /// Add particles that have just come into their cells, in this order.
+    void
+    add(const ParticleBlocks &blocks, const std::vector<ParticleSlot> &arrivals)
+    {
+      for (const ParticleSlot &slot : arrivals)
+        {
+          const bool is_first =
+            slot.lane == 0 &&
+            blocks.next_block(slot.block) == ParticleBlocks::none;
+          if (is_first)
+            cells[slot.cell].clear();
+          const ParticleState<double> state =
+            load_state(blocks[slot.block], slot.lane);
+          cells[slot.cell].add(state,
+                               state.mass,
+                               state.volume(),
+                               smallest_stiff_density,
+                               geometry.shape(slot.cell));
+        }
+    }
+
+    /**
+     * The cells' sums at the nodes. Collective.
+     *
+     * @tparam with_stiffness  whether NodalSum::own_mass and stiffness are
+     *                         summed; otherwise they stay 0.
+     */
+    template <bool with_stiffness>
+    void
+    scatter(const ParticleBlocks               &blocks,
+            NodalField<NodalSum::n_components> &sums) const
     {
       sums.start_sum();
-      for_each_filled_cell(cloud,
-                           geometry,
-                           [&sums](const unsigned int,
-                                   const Shape &shape,
-                                   const auto  &nodes,
-                                   const auto  &particles) {
-                             scatter(sums_of_cell(shape, particles),
-                                     nodes,
-                                     sums);
-                           });
+      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        const auto &nodes = geometry.nodes(cell);
+        const auto &shape = geometry.shape(cell);
+        const auto  force = cells[cell].internal_force(shape);
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          {
+            double *node_sums = sums.at(nodes[i]);
+            node_sums[NodalSum::mass] += cells[cell].lumped_mass(i);
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                node_sums[NodalSum::momentum + d] +=
+                  cells[cell].momentum_at(i, d);
+                node_sums[NodalSum::internal_force + d] += force[i][d];
+              }
+          }
+        if constexpr (with_stiffness)
+          add_stiffness(cells[cell], shape, nodes, sums);
+      });
       sums.finish_sum();
     }
 
-  private:
-    template <typename ParticleRange>
-    static SumsOfCell
-    sums_of_cell(const Shape &shape, const ParticleRange &particles)
+    /**
+     * momentum = S^T M_d V of the particles after step 6, V += dt S a: that of
+     * before plus dt M a with the consistent mass matrix. Collective.
+     */
+    void
+    map_momentum(const ParticleBlocks                     &blocks,
+                 const NodalField<NodalSum::n_components> &sums,
+                 const NodalField<dim>                    &acceleration,
+                 const double                              time_step,
+                 const Utilities::MPI::Partitioner        &nodes,
+                 NodalField<dim>                          &momentum) const
     {
-      SumsOfCell       sums{};
-      SymmetricTensor4 integrated_stress = SymmetricTensor4::Zero();
-      for (const auto &particle : particles)
-        {
-          const double     *state     = particle.get_properties().data();
-          const Point<dim> &reference = particle.get_reference_location();
-          const auto        values    = Shape::shape_values(reference);
-          add_mass_and_momentum(state, values, sums);
-
-          const SymmetricTensor4 force_stress =
-            state[Property::mass] / state[Property::density] *
-            Eigen::Map<const SymmetricTensor4>(state + Property::stress);
-          if constexpr (Setting::has_hoop_strain)
-            for (unsigned int i = 0; i < n_nodes; ++i)
-              sums[i][NodalSum::internal_force] += force_stress[Component::zz] *
-                                                   values[i] /
-                                                   particle.get_location()[0];
-          if constexpr (Setting::has_constant_gradients)
-            integrated_stress += force_stress;
-          else
-            add_internal_force(force_stress,
-                               shape.shape_gradients(reference),
-                               sums);
-        }
-      if constexpr (Setting::has_constant_gradients)
-        add_internal_force(integrated_stress, shape.shape_gradients({}), sums);
-      return sums;
+      momentum.start_sum();
+      multiply_by_mass(blocks, acceleration, momentum);
+      momentum.finish_sum();
+      for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double &value = momentum.at(node)[d];
+            value = sums.at(node)[NodalSum::momentum + d] + time_step * value;
+          }
     }
 
-    static void
-    add_mass_and_momentum(const double                      *state,
-                          const std::array<double, n_nodes> &values,
-                          SumsOfCell                        &sums)
+    /**
+     * product += M field with the consistent mass matrix, without the exchange
+     * between ranks.
+     *
+     * @return this rank's share of field^T M field.
+     */
+    double
+    multiply_by_mass(const ParticleBlocks  &blocks,
+                     const NodalField<dim> &field,
+                     NodalField<dim>       &product) const
     {
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        {
-          const double mass = state[Property::mass] * values[i];
-          sums[i][NodalSum::mass] += mass;
+      double energy = 0.;
+      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        const auto              &cell_nodes = geometry.nodes(cell);
+        const auto               values     = gather(field, cell_nodes);
+        CellValues<dim, n_nodes> products{};
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int j = 0; j < n_nodes; ++j)
+            for (unsigned int d = 0; d < dim; ++d)
+              products[i][d] += cells[cell].mass_entry(i, j) * values[j][d];
+        for (unsigned int i = 0; i < n_nodes; ++i)
           for (unsigned int d = 0; d < dim; ++d)
-            sums[i][NodalSum::momentum + d] +=
-              mass * state[Property::velocity + d];
+            energy += products[i][d] * values[i][d];
+        Sandglass::scatter(products, cell_nodes, product);
+      });
+      return energy;
+    }
+
+    OfCell &
+    operator[](const unsigned int cell)
+    {
+      return cells[cell];
+    }
+
+    const OfCell &
+    operator[](const unsigned int cell) const
+    {
+      return cells[cell];
+    }
+
+    const double smallest_stiff_density;
+
+  private:
+    using Shape = CellShape<Setting::cell_type>;
+
+    static void
+    add_stiffness(const OfCell                            &cell,
+                  const Shape                             &shape,
+                  const std::array<unsigned int, n_nodes> &nodes,
+                  NodalField<NodalSum::n_components>      &sums)
+    {
+      const Pair<double> middle{{1. / n_nodes, 1. / n_nodes}};
+      const auto         gradients = shape.shape_gradients(middle);
+      const double       volume    = cell.values[OfCell::stiff_volume];
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        {
+          double *node_sums = sums.at(nodes[i]);
+          node_sums[NodalSum::own_mass] += cell.mass_entry(i, i);
+          node_sums[NodalSum::stiffness] +=
+            volume * (gradients[i][0] * gradients[i][0] +
+                      gradients[i][1] * gradients[i][1]);
         }
     }
 
-    /// @param stress  times volume, in N m.
-    static void
-    add_internal_force(const SymmetricTensor4                    &stress,
-                       const std::array<Tensor<1, dim>, n_nodes> &gradients,
-                       SumsOfCell                                &sums)
-    {
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        {
-          sums[i][NodalSum::internal_force] +=
-            stress[Component::xx] * gradients[i][0] +
-            stress[Component::xy] * gradients[i][1];
-          sums[i][NodalSum::internal_force + 1] +=
-            stress[Component::xy] * gradients[i][0] +
-            stress[Component::yy] * gradients[i][1];
-        }
-    }
+    const Geometry     &geometry;
+    std::vector<OfCell> cells; ///< of all cells; those of empty ones are old
   };
 } // namespace Sandglass
 

@@ -6,8 +6,7 @@
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/particle_stage/clock.h>
 #include <sandglass/particle_stage/contact.h>
-#include <sandglass/particle_stage/critical_time_step.h>
-#include <sandglass/particle_stage/particle_motion.h>
+#include <sandglass/particle_stage/nodal_fields.h>
 #include <sandglass/particle_stage/particle_stage_parameters.h>
 #include <sandglass/particle_stage/relocation.h>
 #include <sandglass/particles/seeding.h>
@@ -78,6 +77,9 @@ namespace Sandglass
     /// The automatic step without the cut at the end, in s; 0: not known yet.
     double automatic_time_step = 0.;
 
+    /// The stiffest node's when that was found, in 1/s^2.
+    double last_local_eigenvalue = 0.;
+
     /// Plastic work since the start on this rank, in J.
     double plastic_dissipation = 0.;
 
@@ -108,6 +110,15 @@ namespace Sandglass
     virtual double
     find_critical_time_step() = 0;
 
+    /**
+     * A cheap measure, in 1/s^2, of the stiffest node that the sums of this
+     * step show. Between two looks at the critical step, the step shrinks as
+     * this grows: particles of very different mass that come together can
+     * double the eigenvalue within a few steps.
+     */
+    virtual double
+    local_eigenvalue() const = 0;
+
     /// In m/s.
     double speed_limit;
 
@@ -118,6 +129,7 @@ namespace Sandglass
      * steps when that material comes together again.
      */
     double seeded_critical_time_step = std::numeric_limits<double>::infinity();
+    double seeded_local_eigenvalue   = 0.;
   };
 
   /// A particle stage with its particles seeded, unstressed and at rest.

@@ -13,13 +13,6 @@
 
 namespace Sandglass
 {
-  /// A particle that is no longer in the cell that holds it.
-  struct Stray
-  {
-    ParticleIterator particle;
-    unsigned int     cell;
-  };
-
   /// Masses that have left the grid, on this rank, in kg.
   struct RemovedMass
   {
@@ -55,12 +48,16 @@ namespace Sandglass
      * Collective. Throws RunError on each rank if a particle is lost on any and
      * the parameters say stop, or if a position is not a number.
      *
-     * @param clock  tells step and time in the message.
+     * @param strays  particles that may have left their cell, in the order that
+     *                ParticleBlocks::remove() asks for; their reference
+     *                coordinates are ignored.
+     * @param clock   tells step and time in the message.
+     * @return where they are now; valid until the next call.
      */
-    void
-    relocate(const std::vector<Stray> &strays,
-             ParticleCloud            &cloud,
-             const Clock              &clock);
+    const std::vector<ParticleSlot> &
+    relocate(const std::vector<ParticleSlot> &strays,
+             ParticleCloud                   &cloud,
+             const Clock                     &clock);
 
     RemovedMass removed;
 
@@ -68,22 +65,26 @@ namespace Sandglass
     using Location = typename Geometry::Location;
 
     void
-    relocate_one(const Stray &stray);
+    relocate_one(const ParticleSlot &stray, ParticleBlocks &blocks);
 
     void
-    settle(const Stray &stray, const Location &location);
+    settle(const ParticleSlot &stray,
+           const Location     &location,
+           ParticleBlocks     &blocks);
 
     /// Whether a free lip's wall holds the particle itself.
     bool
-    is_held_by_lip(const Stray &stray, const Location &location) const;
+    is_held_by_lip(const ParticleSlot &stray, const Location &location) const;
 
     /// Put a particle beyond a wall back onto it, and stop its motion into it
     /// as far as friction and wall do.
     Location
-    hold_at_wall(const Stray &stray, const Location &location) const;
+    hold_at_wall(const ParticleSlot &stray,
+                 const Location     &location,
+                 ParticleBlocks     &blocks) const;
 
     void
-    report_fault(const Stray &stray, const Location &location);
+    report_fault(const Parcel &stray, const Location &location);
 
     void
     throw_if_faulty(const Clock &clock) const;
@@ -97,8 +98,11 @@ namespace Sandglass
     /// free.
     std::vector<bool> is_at_free_lip;
 
-    std::vector<Departure> departures;
-    std::string            fault;
+    std::string fault;
+
+    /// Kept between calls to avoid allocation.
+    std::vector<Departure>    departures;
+    std::vector<ParticleSlot> arrivals;
   };
 } // namespace Sandglass
 

@@ -2,14 +2,23 @@
 #define sandglass_particle_stage_stress_update_h
 
 #include <sandglass/material/drucker_prager.h>
-#include <sandglass/particle_stage/cell_kernel.h>
 #include <sandglass/particle_stage/particle_stage_parameters.h>
+#include <sandglass/particles/particle_state.h>
 
 namespace Sandglass
 {
+  /// What a step does to a particle's stress and density.
+  template <typename Number>
+  struct ParticleDeformation
+  {
+    SymmetricTensorOf<Number> elastic_stress; ///< of the strain, in Pa
+    StressRotation<Number>    rotation;
+    Number                    inverse_jacobian;
+  };
+
   /**
-   * Step 8 of Section 4.4 for one particle: density, then stress according to
-   * Section 4.1.
+   * Step 8 of Section 4.4 for one particle or a block of them: density, then
+   * stress according to Section 4.1.
    *
    * The paper's density, rho / J, falls without bound where material separates
    * again and again, because the stress there returns to zero while the volume
@@ -33,37 +42,35 @@ namespace Sandglass
     {}
 
     /**
-     * @param state                particle's properties.
-     * @param elastic_increment    elastic stress of the strain increment, Pa.
-     * @param[in,out] dissipation  raised by the plastic work, in J.
+     * @tparam Deformation  ParticleDeformation of Number, or of double where
+     *                      all lanes have the same.
+     * @return the plastic work of the step per volume, in J/m^3.
      */
-    void
-    operator()(double                 *state,
-               const SymmetricTensor4 &elastic_increment,
-               const StressRotation   &rotation,
-               const double            inverse_jacobian,
-               double                 &dissipation) const
+    template <typename Number, typename Deformation>
+    Number
+    operator()(ParticleState<Number> &state,
+               const Deformation     &deformation) const
     {
-      double                      &density = state[Property::density];
-      Eigen::Map<SymmetricTensor4> stored_stress(state + Property::stress);
-
       if constexpr (density_update != DensityUpdate::constant)
-        density *= inverse_jacobian;
+        state.density *= deformation.inverse_jacobian;
       if constexpr (density_update == DensityUpdate::floor)
-        density = std::max(density, 0.5 * unstressed_density);
-      if constexpr (density_update == DensityUpdate::separation)
-        if (density < unstressed_density)
-          {
-            stored_stress.setZero();
-            return;
-          }
+        state.density = select(state.density > Number(0.5 * unstressed_density),
+                               state.density,
+                               Number(0.5 * unstressed_density));
 
-      SymmetricTensor4 stress =
-        rotate(stored_stress, rotation) + elastic_increment;
-      double dissipation_density = 0.;
-      law.project(stress, dissipation_density);
-      stored_stress = stress;
-      dissipation += dissipation_density * state[Property::mass] / density;
+      state.stress = rotate(state.stress, deformation.rotation);
+      for (unsigned int c = 0; c < 4; ++c)
+        state.stress[c] += deformation.elastic_stress[c];
+      Number dissipation = law.project(state.stress);
+
+      if constexpr (density_update == DensityUpdate::separation)
+        {
+          const auto is_separated = state.density < Number(unstressed_density);
+          for (unsigned int c = 0; c < 4; ++c)
+            state.stress[c] = select(is_separated, Number(0.), state.stress[c]);
+          dissipation = select(is_separated, Number(0.), dissipation);
+        }
+      return dissipation;
     }
 
     const DruckerPrager law;

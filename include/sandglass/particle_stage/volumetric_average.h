@@ -1,7 +1,9 @@
 #ifndef sandglass_particle_stage_volumetric_average_h
 #define sandglass_particle_stage_volumetric_average_h
 
-#include <sandglass/particle_stage/deformation.h>
+#include <sandglass/base/instruction_sets.h>
+#include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/particles/particle_state.h>
 
 #include <memory>
 #include <vector>
@@ -50,30 +52,28 @@ namespace Sandglass
      * nothing if it is off.
      */
     void
-    compute(ParticleCloud         &cloud,
+    compute(const ParticleBlocks  &blocks,
             const Geometry        &geometry,
             const NodalField<dim> &velocity)
     {
       if (!is_on)
         return;
-      cells.clear();
       nodal->start_sum();
-      for_each_filled_cell(cloud,
-                           geometry,
-                           [&](const unsigned int cell,
-                               const Shape       &shape,
-                               const auto        &nodes,
-                               const auto        &particles) {
-                             cells.push_back({cell, nodes});
-                             add_cell(shape,
-                                      nodes,
-                                      gather(velocity, nodes),
-                                      particles);
-                           });
+      run_with_widest_vectors([&]() {
+        for_each_filled_cell(blocks, [&](const unsigned int cell) {
+          const auto &nodes = geometry.nodes(cell);
+          add_cell(blocks,
+                   blocks.first_block(cell),
+                   geometry.shape(cell),
+                   nodes,
+                   gather(velocity, nodes));
+        });
+      });
       nodal->finish_sum();
       nodal->update_ghosts();
-      for (const Cell &cell : cells)
-        rates[cell.index] = mean_of_nodes(cell.nodes);
+      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        rates[cell] = mean_of_nodes(geometry.nodes(cell));
+      });
     }
 
     /// The average in 1/s at a cell that holds stressed particles.
@@ -83,13 +83,10 @@ namespace Sandglass
       return rates[cell];
     }
 
-    bool
-    is_stressed(const double density) const
-    {
-      return density >= smallest_density;
-    }
-
     const bool is_on;
+
+    /// Of stressed particles, in kg/m^3.
+    const double smallest_density;
 
   private:
     enum Sum : unsigned int
@@ -99,50 +96,42 @@ namespace Sandglass
       n_sums
     };
 
-    struct Cell
-    {
-      unsigned int                      index;
-      std::array<unsigned int, n_nodes> nodes;
-    };
-
-    template <typename ParticleRange>
     void
-    add_cell(const Shape                             &shape,
+    add_cell(const ParticleBlocks                    &blocks,
+             const unsigned int                       first_block,
+             const Shape                             &shape,
              const std::array<unsigned int, n_nodes> &nodes,
-             const CellValues<dim, n_nodes>          &velocities,
-             const ParticleRange                     &particles)
+             const CellValues<dim, n_nodes>          &velocities)
     {
-      std::array<double, n_sums> sums{};
-      for (const auto &particle : particles)
+      Lanes volumes(0.), rates_times_volumes(0.);
+      for (unsigned int block = first_block; block != ParticleBlocks::none;
+           block              = blocks.next_block(block))
         {
-          const double *state   = particle.get_properties().data();
-          const double  density = state[Property::density];
-          if (!is_stressed(density))
-            continue;
-          const double volume = state[Property::mass] / density;
-          sums[Sum::volume] += volume;
-          sums[Sum::rate_times_volume] +=
-            volume * volumetric_rate(shape,
-                                     velocities,
-                                     particle.get_reference_location(),
-                                     particle.get_location()[0]);
+                       const ParticleState<Lanes> state = load_state(blocks[block]);
+                       const Lanes volume = select(state.density >= Lanes(smallest_density),
+                                      state.volume(),
+                                      Lanes(0.));
+                       volumes += volume;
+                       rates_times_volumes +=
+                         volume * volumetric_rate(shape, velocities, state);
         }
       CellValues<n_sums, n_nodes> contributions;
-      contributions.fill(sums);
+      contributions.fill({{sum(volumes), sum(rates_times_volumes)}});
       scatter(contributions, nodes, *nodal);
     }
 
-    static double
+    static Lanes
     volumetric_rate(const Shape                    &shape,
                     const CellValues<dim, n_nodes> &velocities,
-                    const Point<dim>               &reference,
-                    const double                    radius)
+                    const ParticleState<Lanes>     &state)
     {
-      double rate =
-        trace(gradient_of(velocities, shape.shape_gradients(reference)));
+      const auto gradient =
+        gradient_of(velocities, shape.shape_gradients(state.reference));
+      Lanes rate = gradient[0][0] + gradient[1][1];
       if constexpr (Setting::has_hoop_strain)
         rate +=
-          interpolate(velocities, Shape::shape_values(reference))[0] / radius;
+          interpolate(velocities, Shape::shape_values(state.reference))[0] /
+          state.location[0];
       return rate;
     }
 
@@ -159,9 +148,7 @@ namespace Sandglass
       return sum / n_nodes;
     }
 
-    const double                        smallest_density;
     std::unique_ptr<NodalField<n_sums>> nodal;
-    std::vector<Cell>                   cells; ///< that hold particles
     std::vector<double>                 rates; ///< of all cells
   };
 } // namespace Sandglass

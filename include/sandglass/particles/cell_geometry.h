@@ -79,13 +79,21 @@ namespace Sandglass
     find(const Point<dim> &point, const unsigned int start_cell) const;
 
     /// Whether all face distances are at least `margin`; false for NaN.
+    template <typename Number>
+    static auto
+    is_inside(const Pair<Number> &reference_point, const double margin)
+    {
+      const auto distances = Shape::face_distances(reference_point);
+      auto       result    = distances[0] >= Number(margin);
+      for (unsigned int face = 1; face < Shape::n_faces; ++face)
+        result = result & (distances[face] >= Number(margin));
+      return result;
+    }
+
     static bool
     is_inside(const Point<dim> &reference_point, const double margin)
     {
-      for (const double distance : Shape::face_distances(reference_point))
-        if (!(distance >= margin))
-          return false;
-      return true;
+      return is_inside(pair_of(reference_point), margin);
     }
 
   private:

@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <sandglass/base/lanes.h>
 #include <sandglass/base/setting.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace Sandglass
   /**
    * Geometry and linear shape functions of one cell, in the numbering of
    * deal.II's reference cells. Specialised for each cell type with the same
-   * members:
+   * members, of which the first three also take the points of Lanes of
+   * particles:
    *
    * - shape_values(reference_point): N_i, one per node;
    * - shape_gradients(reference_point): dN_i/dx in 1/m;
@@ -33,6 +35,16 @@ namespace Sandglass
    */
   template <CellType cell_type>
   class CellShape;
+
+  /// Two coordinates or components, of one particle or of Lanes of them.
+  template <typename Number>
+  using Pair = std::array<Number, dim>;
+
+  inline Pair<double>
+  pair_of(const Tensor<1, dim> &tensor)
+  {
+    return {{tensor[0], tensor[1]}};
+  }
 
   template <>
   class CellShape<CellType::triangle>
@@ -59,25 +71,52 @@ namespace Sandglass
       gradients[1]           = Tensor<1, dim>{{-a[1], a[0]}} / determinant;
     }
 
-    static std::array<double, n_nodes>
-    shape_values(const Point<dim> &reference_point)
+    template <typename Number>
+    static std::array<Number, n_nodes>
+    shape_values(const Pair<Number> &reference_point)
     {
-      return {{1. - reference_point[0] - reference_point[1],
+      return {{Number(1.) - reference_point[0] - reference_point[1],
                reference_point[0],
                reference_point[1]}};
     }
 
-    std::array<Tensor<1, dim>, n_nodes>
-    shape_gradients(const Point<dim> &) const
+    /// The same at all points.
+    template <typename Number>
+    std::array<Pair<double>, n_nodes>
+    shape_gradients(const Pair<Number> &) const
     {
-      return {{-(gradients[0] + gradients[1]), gradients[0], gradients[1]}};
+      return {{pair_of(-(gradients[0] + gradients[1])),
+               pair_of(gradients[0]),
+               pair_of(gradients[1])}};
+    }
+
+    template <typename Number>
+    Pair<Number>
+    to_reference(const Pair<Number> &point) const
+    {
+      const Number x = point[0] - Number(origin[0]);
+      const Number y = point[1] - Number(origin[1]);
+      return {{gradients[0][0] * x + gradients[0][1] * y,
+               gradients[1][0] * x + gradients[1][1] * y}};
+    }
+
+    static std::array<double, n_nodes>
+    shape_values(const Point<dim> &reference_point)
+    {
+      return shape_values(pair_of(reference_point));
+    }
+
+    std::array<Pair<double>, n_nodes>
+    shape_gradients(const Point<dim> &reference_point) const
+    {
+      return shape_gradients(pair_of(reference_point));
     }
 
     Point<dim>
     to_reference(const Point<dim> &point) const
     {
-      const Tensor<1, dim> distance = point - origin;
-      return {gradients[0] * distance, gradients[1] * distance};
+      const Pair<double> result = to_reference(pair_of(point));
+      return {result[0], result[1]};
     }
 
     Point<dim>
@@ -105,12 +144,19 @@ namespace Sandglass
 
     /// Barycentric coordinates, in deal.II's order of faces: face 0 joins nodes
     /// 0 and 1, face 1 nodes 1 and 2, face 2 nodes 2 and 0.
+    template <typename Number>
+    static std::array<Number, n_faces>
+    face_distances(const Pair<Number> &reference_point)
+    {
+      return {{reference_point[1],
+               Number(1.) - reference_point[0] - reference_point[1],
+               reference_point[0]}};
+    }
+
     static std::array<double, n_faces>
     face_distances(const Point<dim> &reference_point)
     {
-      return {{reference_point[1],
-               1. - reference_point[0] - reference_point[1],
-               reference_point[0]}};
+      return face_distances(pair_of(reference_point));
     }
 
     std::array<double, n_faces>
@@ -167,47 +213,81 @@ namespace Sandglass
                          1e-13 * (slope_x.norm() + slope_y.norm()))
     {}
 
-    static std::array<double, n_nodes>
-    shape_values(const Point<dim> &reference_point)
+    template <typename Number>
+    static std::array<Number, n_nodes>
+    shape_values(const Pair<Number> &reference_point)
     {
-      const double x = reference_point[0], y = reference_point[1];
-      return {{(1. - x) * (1. - y), x * (1. - y), (1. - x) * y, x * y}};
+      const Number x = reference_point[0], y = reference_point[1];
+      const Number rest_x = Number(1.) - x, rest_y = Number(1.) - y;
+      return {{rest_x * rest_y, x * rest_y, rest_x * y, x * y}};
     }
 
-    std::array<Tensor<1, dim>, n_nodes>
-    shape_gradients(const Point<dim> &reference_point) const
+    template <typename Number>
+    std::array<Pair<Number>, n_nodes>
+    shape_gradients(const Pair<Number> &reference_point) const
     {
-      const double         x = reference_point[0], y = reference_point[1];
-      const Tensor<1, dim> a = slope_x + y * twist, b = slope_y + x * twist;
-      const double         scale = 1. / (a[0] * b[1] - a[1] * b[0]);
-      const Tensor<1, dim> gradient_x({b[1] * scale, -b[0] * scale});
-      const Tensor<1, dim> gradient_y({-a[1] * scale, a[0] * scale});
-      return {{-(1. - y) * gradient_x - (1. - x) * gradient_y,
-               (1. - y) * gradient_x - x * gradient_y,
-               -y * gradient_x + (1. - x) * gradient_y,
-               y * gradient_x + x * gradient_y}};
+      const Number       x = reference_point[0], y = reference_point[1];
+      const Number       rest_x = Number(1.) - x, rest_y = Number(1.) - y;
+      const Pair<Number> a     = slope(slope_x, y);
+      const Pair<Number> b     = slope(slope_y, x);
+      const Number       scale = Number(1.) / (a[0] * b[1] - a[1] * b[0]);
+      std::array<Pair<Number>, n_nodes> result;
+      // d/dx is the gradient of the first reference coordinate, d/dy of the
+      // second one.
+      const Pair<Number> of_x{{b[1] * scale, -b[0] * scale}};
+      const Pair<Number> of_y{{-a[1] * scale, a[0] * scale}};
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          result[0][d] = -rest_y * of_x[d] - rest_x * of_y[d];
+          result[1][d] = rest_y * of_x[d] - x * of_y[d];
+          result[2][d] = rest_x * of_y[d] - y * of_x[d];
+          result[3][d] = y * of_x[d] + x * of_y[d];
+        }
+      return result;
     }
 
     /// Newton's method; one iteration in parallelograms, where it is exact.
-    Point<dim>
-    to_reference(const Point<dim> &point) const
+    template <typename Number>
+    Pair<Number>
+    to_reference(const Pair<Number> &point) const
     {
-      Point<dim>         result(0.5, 0.5);
+      using std::abs;
+      Pair<Number>       result{{Number(0.5), Number(0.5)}};
       const unsigned int n_iterations = is_parallelogram ? 1 : 20;
       for (unsigned int i = 0; i < n_iterations; ++i)
         {
-          const Tensor<1, dim> residual = point - to_real(result);
-          const Tensor<1, dim> a        = slope_x + result[1] * twist;
-          const Tensor<1, dim> b        = slope_y + result[0] * twist;
-          const double         scale    = 1. / (a[0] * b[1] - a[1] * b[0]);
-          const Tensor<1, dim> change(
+          const Pair<Number> residual = distance_to(point, result);
+          const Pair<Number> a        = slope(slope_x, result[1]);
+          const Pair<Number> b        = slope(slope_y, result[0]);
+          const Number       scale = Number(1.) / (a[0] * b[1] - a[1] * b[0]);
+          const Pair<Number> change{
             {(b[1] * residual[0] - b[0] * residual[1]) * scale,
-             (a[0] * residual[1] - a[1] * residual[0]) * scale});
-          result += change;
-          if (std::abs(change[0]) + std::abs(change[1]) < 1e-14)
+             (a[0] * residual[1] - a[1] * residual[0]) * scale}};
+          for (unsigned int d = 0; d < dim; ++d)
+            result[d] += change[d];
+          if (!any(abs(change[0]) + abs(change[1]) > Number(1e-14)))
             break;
         }
       return result;
+    }
+
+    static std::array<double, n_nodes>
+    shape_values(const Point<dim> &reference_point)
+    {
+      return shape_values(pair_of(reference_point));
+    }
+
+    std::array<Pair<double>, n_nodes>
+    shape_gradients(const Point<dim> &reference_point) const
+    {
+      return shape_gradients(pair_of(reference_point));
+    }
+
+    Point<dim>
+    to_reference(const Point<dim> &point) const
+    {
+      const Pair<double> result = to_reference(pair_of(point));
+      return {result[0], result[1]};
     }
 
     Point<dim>
@@ -231,11 +311,18 @@ namespace Sandglass
       return a[0] * b[1] - a[1] * b[0];
     }
 
+    template <typename Number>
+    static std::array<Number, n_faces>
+    face_distances(const Pair<Number> &reference_point)
+    {
+      const Number x = reference_point[0], y = reference_point[1];
+      return {{x, Number(1.) - x, y, Number(1.) - y}};
+    }
+
     static std::array<double, n_faces>
     face_distances(const Point<dim> &reference_point)
     {
-      const double x = reference_point[0], y = reference_point[1];
-      return {{x, 1. - x, y, 1. - y}};
+      return face_distances(pair_of(reference_point));
     }
 
     std::array<double, n_faces>
@@ -263,6 +350,30 @@ namespace Sandglass
     }
 
   private:
+    /// Derivative of the position: a slope plus the twist times the other
+    /// reference coordinate.
+    template <typename Number>
+    Pair<Number>
+    slope(const Tensor<1, dim> &at_origin, const Number &other) const
+    {
+      return {
+        {at_origin[0] + twist[0] * other, at_origin[1] + twist[1] * other}};
+    }
+
+    /// From the position of a reference point to `point`.
+    template <typename Number>
+    Pair<Number>
+    distance_to(const Pair<Number> &point,
+                const Pair<Number> &reference_point) const
+    {
+      const Number x = reference_point[0], y = reference_point[1];
+      Pair<Number> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = point[d] - (origin[d] + x * slope_x[d] + y * slope_y[d] +
+                                x * y * twist[d]);
+      return result;
+    }
+
     Point<dim>     origin;
     Tensor<1, dim> slope_x, slope_y, twist;
     bool           is_parallelogram;

@@ -3,40 +3,66 @@
 
 #include <deal.II/particles/particle_handler.h>
 
-#include <sandglass/particles/particle_properties.h>
+#include <sandglass/particles/particle_blocks.h>
 #include <sandglass/scene/scene.h>
 
-#include <array>
 #include <vector>
 
 namespace Sandglass
 {
-  using ParticleIterator = Particles::ParticleIterator<dim>;
-
   /// A particle that has left its cell, and where it went.
   struct Departure
   {
     /// Instead of a target cell: the particle is deleted.
     static constexpr unsigned int nowhere = numbers::invalid_unsigned_int;
 
-    ParticleIterator particle;
-    unsigned int     target_cell;
-    Point<dim>       reference_point; ///< in the target cell
+    ParticleSlot particle;
+    unsigned int target_cell;
+    Point<dim>   reference_point; ///< in the target cell
   };
 
   /**
-   * The material points on deal.II's ParticleHandler, which owns identity,
-   * position, cell and state (particle_properties.h). Moves particles between
-   * cells and ranks.
+   * The material points. deal.II's ParticleHandler owns their identity, place,
+   * cell and properties (particle_properties.h); the time loop works on a copy
+   * of them in blocks, from which the handler is brought up to date when
+   * somebody asks for it. Moves particles between cells and ranks.
    */
   class ParticleCloud
   {
   public:
+    using Handler      = Particles::ParticleHandler<dim>;
+    using CellIterator = typename Triangulation<dim>::active_cell_iterator;
+
     explicit ParticleCloud(const Scene &scene);
 
-    Particles::ParticleHandler<dim> handler;
+    /// The particles as they are now, in the order of the blocks. Collective.
+    const Handler &
+    handler();
 
-    using CellIterator = typename Triangulation<dim>::active_cell_iterator;
+    /// Call `change(handler)`, which may change, add or remove particles.
+    /// Collective.
+    template <typename Change>
+    void
+    edit(const Change &change)
+    {
+      handler();
+      change(particle_handler);
+      load_blocks();
+    }
+
+    const ParticleBlocks &
+    blocks() const
+    {
+      return particle_blocks;
+    }
+
+    /// For those who change particles in their cells.
+    ParticleBlocks &
+    change_blocks()
+    {
+      handler_is_current = false;
+      return particle_blocks;
+    }
 
     /// The cells that this rank owns, in order of their index.
     const std::vector<CellIterator> &
@@ -45,46 +71,74 @@ namespace Sandglass
       return cells_owned;
     }
 
+    unsigned int
+    n_locally_owned_particles() const
+    {
+      return particle_blocks.n_particles();
+    }
+
     /**
      * Hand the particles over to their new cells, on whichever rank these are,
      * with id and all properties, or delete those that go nowhere. Collective.
-     * Each particle may occur once, in the handler's order of each cell. The
-     * new order of particles in a cell depends only on the old one and on the
-     * departures, so that runs repeat exactly.
+     * Each particle may occur once, those of a cell in the order that
+     * ParticleBlocks::remove() asks for. The new order of particles in a cell
+     * depends only on the old one and on the departures, so that runs repeat
+     * exactly.
+     *
+     * @param[out] arrivals  where this rank's new particles are, in the order
+     *                       in which they came.
      */
     void
-    move(const std::vector<Departure> &departures);
-
-    /// A particle on its way: all that there is of it.
-    struct Parcel
-    {
-      unsigned int                               cell;
-      types::particle_index                      id;
-      Point<dim>                                 location, reference_point;
-      std::array<double, Property::n_properties> properties;
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &cell &id &location &reference_point &properties;
-      }
-    };
+    move(const std::vector<Departure> &departures,
+         std::vector<ParticleSlot>    &arrivals);
 
     /// Insert a particle into a cell that this rank owns.
-    void
+    ParticleSlot
     insert(const Parcel &parcel);
+
+    void
+    clear();
+
+    /// Changes when particles change other than by the loop, so that what the
+    /// loop knows of them has to be found anew.
+    unsigned int
+    edition() const
+    {
+      return n_edits;
+    }
+
+    /// Make it change.
+    void
+    start_new_edition()
+    {
+      ++n_edits;
+    }
 
   private:
     void
-    insert_on_owners();
+    load_blocks();
+
+    void
+    update_handler();
+
+    void
+    update_handler(const CellIterator &cell);
+
+    void
+    insert_on_owners(std::vector<ParticleSlot> &arrivals);
 
     const Scene              &scene;
     std::vector<CellIterator> cells_all;
     std::vector<CellIterator> cells_owned;
 
+    Handler        particle_handler;
+    ParticleBlocks particle_blocks;
+    bool           handler_is_current = true;
+    unsigned int   n_edits            = 0;
+
     /// Kept between calls to avoid allocation.
     std::vector<Parcel> parcels;
+    std::vector<Parcel> parcels_of_cell;
   };
 } // namespace Sandglass
 

@@ -1,0 +1,220 @@
+#ifndef sandglass_base_lanes_h
+#define sandglass_base_lanes_h
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace Sandglass
+{
+  /**
+   * One number of each of four particles, on which the processor computes at
+   * once. Functions that are templates on their number type take it in place
+   * of double.
+   *
+   * GCC's and Clang's vector extension, unlike intrinsics, compiles to what
+   * the surrounding function's target has: one AVX register or two of SSE
+   * (see instruction_sets.h).
+   */
+  class Lanes
+  {
+  public:
+    static constexpr unsigned int n = 4;
+
+    using Vector = double __attribute__((vector_size(n * sizeof(double))));
+    using Mask   = long __attribute__((vector_size(n * sizeof(long))));
+
+    Lanes() = default;
+
+    Lanes(const double value)
+      : vector{value, value, value, value}
+    {}
+
+    /// @param numbers  n of them, aligned to their size together.
+    static Lanes
+    load(const double *numbers)
+    {
+      return *reinterpret_cast<const Lanes *>(numbers);
+    }
+
+    void
+    store(double *numbers) const
+    {
+      *reinterpret_cast<Lanes *>(numbers) = *this;
+    }
+
+    double
+    operator[](const unsigned int lane) const
+    {
+      return vector[lane];
+    }
+
+    Lanes &
+    operator+=(const Lanes &other)
+    {
+      vector += other.vector;
+      return *this;
+    }
+
+    Lanes &
+    operator-=(const Lanes &other)
+    {
+      vector -= other.vector;
+      return *this;
+    }
+
+    Lanes &
+    operator*=(const Lanes &other)
+    {
+      vector *= other.vector;
+      return *this;
+    }
+
+    friend Lanes
+    operator+(Lanes a, const Lanes &b)
+    {
+      return a += b;
+    }
+
+    friend Lanes
+    operator-(Lanes a, const Lanes &b)
+    {
+      return a -= b;
+    }
+
+    friend Lanes
+    operator*(Lanes a, const Lanes &b)
+    {
+      return a *= b;
+    }
+
+    friend Lanes
+    operator/(Lanes a, const Lanes &b)
+    {
+      a.vector /= b.vector;
+      return a;
+    }
+
+    friend Lanes
+    operator-(Lanes a)
+    {
+      a.vector = -a.vector;
+      return a;
+    }
+
+    friend Mask
+    operator<(const Lanes &a, const Lanes &b)
+    {
+      return a.vector < b.vector;
+    }
+
+    friend Mask
+    operator>(const Lanes &a, const Lanes &b)
+    {
+      return a.vector > b.vector;
+    }
+
+    friend Mask
+    operator>=(const Lanes &a, const Lanes &b)
+    {
+      return a.vector >= b.vector;
+    }
+
+    friend Mask
+    operator!=(const Lanes &a, const Lanes &b)
+    {
+      return a.vector != b.vector;
+    }
+
+    /// In each lane a where the condition is true, otherwise b; what is not
+    /// chosen may be infinite or not a number.
+    friend Lanes
+    select(const Mask &condition, Lanes a, const Lanes &b)
+    {
+      a.vector = condition ? a.vector : b.vector;
+      return a;
+    }
+
+    friend Lanes
+    sqrt(Lanes a)
+    {
+      for (unsigned int lane = 0; lane < n; ++lane)
+        a.vector[lane] = std::sqrt(a.vector[lane]);
+      return a;
+    }
+
+    friend Lanes
+    abs(const Lanes &a)
+    {
+      return select(a < Lanes(0.), -a, a);
+    }
+
+    friend double
+    sum(const Lanes &a)
+    {
+      return (a.vector[0] + a.vector[1]) + (a.vector[2] + a.vector[3]);
+    }
+
+  private:
+    Vector vector;
+  };
+
+  /// As for Lanes.
+  inline double
+  select(const bool condition, const double a, const double b)
+  {
+    return condition ? a : b;
+  }
+
+  inline bool
+  any(const bool condition)
+  {
+    return condition;
+  }
+
+  inline bool
+  any(const Lanes::Mask &condition)
+  {
+    return (condition[0] | condition[1] | condition[2] | condition[3]) != 0;
+  }
+
+  inline bool
+  all(const Lanes::Mask &condition)
+  {
+    return (condition[0] & condition[1] & condition[2] & condition[3]) != 0;
+  }
+
+  /**
+   * The sums over the lanes of several Lanes in a row, in the order of sum().
+   *
+   * @param sums  as many numbers as `values`.
+   */
+  template <std::size_t n_values>
+  void
+  sum_lanes(const std::array<Lanes, n_values> &values,
+            std::array<double, n_values>      &sums)
+  {
+    for (std::size_t i = 0; i < n_values; ++i)
+      sums[i] = sum(values[i]);
+  }
+} // namespace Sandglass
+
+/// What Eigen has to know of a number type.
+template <>
+struct Eigen::NumTraits<Sandglass::Lanes> : Eigen::GenericNumTraits<double>
+{
+  using Real       = Sandglass::Lanes;
+  using NonInteger = Sandglass::Lanes;
+  using Nested     = Sandglass::Lanes;
+  using Literal    = Sandglass::Lanes;
+
+  enum
+  {
+    IsComplex             = 0,
+    IsInteger             = 0,
+    IsSigned              = 1,
+    RequireInitialization = 0
+  };
+};
+
+#endif

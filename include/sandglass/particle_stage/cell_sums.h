@@ -1,0 +1,188 @@
+#ifndef sandglass_particle_stage_cell_sums_h
+#define sandglass_particle_stage_cell_sums_h
+
+#include <sandglass/base/instruction_sets.h>
+#include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/particles/particle_state.h>
+
+namespace Sandglass
+{
+  /**
+   * Steps 2 to 4 of Section 4.4, the particles' part: all that the nodes need
+   * to know of a cell's particles, as sums over these.
+   *
+   * The cell's share of the consistent mass matrix M = S^T M_d S is kept, not
+   * only that of the lumped one. With it the momentum S^T M_d V of step 7 is
+   * that of step 2 plus dt M a, and one pass over the particles does for a
+   * step.
+   *
+   * @tparam Number  Lanes while blocks are added, double for their sum.
+   */
+  template <typename Setting, typename Number>
+  class CellSums
+  {
+  public:
+    static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
+    using Shape                           = CellShape<Setting::cell_type>;
+
+    /// Places of the sums in `values`.
+    enum Sum : unsigned int
+    {
+      mass         = 0, ///< sum of m N_i N_j for i <= j, row by row, in kg
+      momentum     = mass + n_nodes * (n_nodes + 1) / 2, ///< m N_i V, kg m/s
+      stiff_volume = momentum + dim * n_nodes, ///< of stressed particles, m^3
+      force        = stiff_volume + 1,         ///< see add_force()
+      hoop_force =
+        force + (Setting::has_constant_gradients ? 3 : dim * n_nodes),
+      n_sums =
+        hoop_force +
+        (Setting::has_hoop_strain && Setting::has_constant_gradients ? n_nodes :
+                                                                       0)
+    };
+
+    std::array<Number, n_sums> values;
+
+    void
+    clear()
+    {
+      values.fill(Number(0.));
+    }
+
+    /**
+     * Add particles.
+     *
+     * @param volume  of the particles in m^3; like their mass, 0 for those that
+     *                shall not count.
+     */
+    void
+    add(const ParticleState<Number> &state,
+        const Number                &particle_mass,
+        const Number                &volume,
+        const double                 smallest_stiff_density,
+        const Shape                 &shape)
+    {
+      const auto shape_values = Shape::shape_values(state.reference);
+      add_mass_and_momentum(state.velocity, particle_mass, shape_values);
+      values[stiff_volume] +=
+        select((state.density >= Number(smallest_stiff_density)) |
+                 (state.stress[Component::yy] != Number(0.)),
+               volume,
+               Number(0.));
+      add_force(state, volume, shape_values, shape);
+    }
+
+    /// Of the consistent mass matrix, in kg.
+    Number
+    mass_entry(const unsigned int i, const unsigned int j) const
+    {
+      return values[mass_index(i, j)];
+    }
+
+    /// Of the lumped mass matrix, in kg: shape functions add up to 1.
+    Number
+    lumped_mass(const unsigned int i) const
+    {
+      Number result = mass_entry(i, 0);
+      for (unsigned int j = 1; j < n_nodes; ++j)
+        result += mass_entry(i, j);
+      return result;
+    }
+
+    Number
+    momentum_at(const unsigned int i, const unsigned int d) const
+    {
+      return values[momentum + dim * i + d];
+    }
+
+    /// Share of the internal force R (eq. 9) in N at each of the cell's nodes.
+    CellValues<dim, n_nodes>
+    internal_force(const Shape &shape) const
+    {
+      CellValues<dim, n_nodes> result;
+      if constexpr (Setting::has_constant_gradients)
+        {
+          const auto gradients = shape.shape_gradients(Pair<double>());
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              result[i][0] = values[force] * gradients[i][0] +
+                             values[force + 2] * gradients[i][1];
+              result[i][1] = values[force + 2] * gradients[i][0] +
+                             values[force + 1] * gradients[i][1];
+              if constexpr (Setting::has_hoop_strain)
+                result[i][0] += values[hoop_force + i];
+            }
+        }
+      else
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            result[i][d] = values[force + dim * i + d];
+      return result;
+    }
+
+  private:
+    static constexpr unsigned int
+    mass_index(const unsigned int i, const unsigned int j)
+    {
+      return i <= j ? mass + i * n_nodes - i * (i + 1) / 2 + j :
+                      mass_index(j, i);
+    }
+
+    void
+    add_mass_and_momentum(const Pair<Number>                &velocity,
+                          const Number                      &particle_mass,
+                          const std::array<Number, n_nodes> &shape_values)
+    {
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        {
+          const Number share = particle_mass * shape_values[i];
+          for (unsigned int j = i; j < n_nodes; ++j)
+            values[mass_index(i, j)] += share * shape_values[j];
+          for (unsigned int d = 0; d < dim; ++d)
+            values[momentum + dim * i + d] += share * velocity[d];
+        }
+    }
+
+    /**
+     * Internal force: with constant gradients the stress times volume (xx, yy,
+     * xy), which the gradients multiply later, and with hoop strain that of
+     * the row N_i / x of B; otherwise the force at each node.
+     */
+    void
+    add_force(const ParticleState<Number>       &state,
+              const Number                      &volume,
+              const std::array<Number, n_nodes> &shape_values,
+              const Shape                       &shape)
+    {
+      const Number xx = volume * state.stress[Component::xx];
+      const Number yy = volume * state.stress[Component::yy];
+      const Number xy = volume * state.stress[Component::xy];
+      Number       hoop(0.);
+      if constexpr (Setting::has_hoop_strain)
+        hoop = volume * state.stress[Component::zz] / state.location[0];
+
+      if constexpr (Setting::has_constant_gradients)
+        {
+          values[force] += xx;
+          values[force + 1] += yy;
+          values[force + 2] += xy;
+          if constexpr (Setting::has_hoop_strain)
+            for (unsigned int i = 0; i < n_nodes; ++i)
+              values[hoop_force + i] += hoop * shape_values[i];
+        }
+      else
+        {
+          const auto gradients = shape.shape_gradients(state.reference);
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              Number *node_force = &values[force + dim * i];
+              node_force[0] += xx * gradients[i][0] + xy * gradients[i][1];
+              node_force[1] += xy * gradients[i][0] + yy * gradients[i][1];
+              if constexpr (Setting::has_hoop_strain)
+                node_force[0] += hoop * shape_values[i];
+            }
+        }
+    }
+  };
+} // namespace Sandglass
+
+#endif

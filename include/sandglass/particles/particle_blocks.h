@@ -1,0 +1,218 @@
+#ifndef sandglass_particles_particle_blocks_h
+#define sandglass_particles_particle_blocks_h
+
+#include <sandglass/base/lanes.h>
+#include <sandglass/particles/parcel.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * The state of up to Lanes::n particles of one cell: each quantity of them
+   * side by side, as the processor takes them in. Lanes without a particle
+   * hold a copy of the first without mass, which moves as that one does.
+   */
+  struct alignas(64) ParticleBlock
+  {
+    /// What a particle carries: its place, then its properties.
+    enum Quantity : unsigned int
+    {
+      location     = 0,
+      reference    = location + dim, ///< coordinates in the cell
+      properties   = reference + dim,
+      mass         = properties + Property::mass,
+      velocity     = properties + Property::velocity,
+      n_quantities = properties + Property::n_properties
+    };
+
+    double values[n_quantities][Lanes::n];
+
+    Lanes
+    load(const unsigned int quantity) const
+    {
+      return Lanes::load(values[quantity]);
+    }
+
+    void
+    store(const unsigned int quantity, const Lanes &lanes)
+    {
+      lanes.store(values[quantity]);
+    }
+
+    Point<dim>
+    point(const Quantity quantity, const unsigned int lane) const
+    {
+      return {values[quantity][lane], values[quantity + 1][lane]};
+    }
+
+    void
+    set_point(const Quantity     quantity,
+              const unsigned int lane,
+              const Point<dim>  &point)
+    {
+      values[quantity][lane]     = point[0];
+      values[quantity + 1][lane] = point[1];
+    }
+  };
+
+  /// Where a particle is stored, until the next change of the blocks.
+  struct ParticleSlot
+  {
+    unsigned int cell;
+    unsigned int block;
+    unsigned int lane;
+  };
+
+  /**
+   * The particles as the time loop takes them: in blocks, and each cell's
+   * blocks in a chain. Only the first block of a chain may have empty lanes.
+   *
+   * Particles come and go at a chain's first block, so a change of cell costs
+   * the same however many particles there are. The order of particles in a
+   * cell depends only on the order in which they came and went.
+   */
+  class ParticleBlocks
+  {
+  public:
+    static constexpr unsigned int none = numbers::invalid_unsigned_int;
+
+    explicit ParticleBlocks(const unsigned int n_cells)
+      : first(n_cells, none)
+    {}
+
+    /// Remove all particles.
+    void
+    clear();
+
+    ParticleSlot
+    insert(const Parcel &parcel);
+
+    /**
+     * Remove a particle; the last one of the chain's first block takes its
+     * place. Several of a cell have to be removed block by block along the
+     * chain, in each block the highest lane first, for their slots to be valid
+     * until their turn.
+     */
+    void
+    remove(const ParticleSlot &slot);
+
+    Parcel
+    parcel(const ParticleSlot &slot) const;
+
+    /// Copy a parcel's state, all but the cell, into a slot.
+    void
+    overwrite(const ParticleSlot &slot, const Parcel &parcel);
+
+    /// Store the blocks in the order of cells and chains again, for the memory
+    /// to be read in order. Slots become invalid.
+    void
+    sort();
+
+    unsigned int
+    n_particles() const
+    {
+      return n_stored;
+    }
+
+    unsigned int
+    n_cells() const
+    {
+      return first.size();
+    }
+
+    /// A cell's first block, or `none`.
+    unsigned int
+    first_block(const unsigned int cell) const
+    {
+      return first[cell];
+    }
+
+    /// The next block of the chain, or `none`.
+    unsigned int
+    next_block(const unsigned int block) const
+    {
+      return links[block].next;
+    }
+
+    /// How many lanes hold particles: the lowest.
+    unsigned int
+    n_lanes(const unsigned int block) const
+    {
+      return links[block].n_lanes;
+    }
+
+    ParticleBlock &
+    operator[](const unsigned int block)
+    {
+      return blocks[block];
+    }
+
+    const ParticleBlock &
+    operator[](const unsigned int block) const
+    {
+      return blocks[block];
+    }
+
+    types::particle_index
+    id(const ParticleSlot &slot) const
+    {
+      return links[slot.block].ids[slot.lane];
+    }
+
+    /**
+     * Call `function(slot)` for the particles of a cell in the order in which
+     * insert() stores them in the same way again.
+     */
+    template <typename Function>
+    void
+    for_each_in_cell(const unsigned int cell, const Function &function) const
+    {
+      // A chain is short, and read from its end.
+      const unsigned int block = first[cell];
+      if (block != none)
+        for_each_from_end(cell, block, function);
+    }
+
+  private:
+    /// What of a block the loop over particles doesn't need.
+    struct Link
+    {
+      unsigned int          next;
+      unsigned int          n_lanes;
+      types::particle_index ids[Lanes::n];
+    };
+
+    template <typename Function>
+    void
+    for_each_from_end(const unsigned int cell,
+                      const unsigned int block,
+                      const Function    &function) const
+    {
+      if (links[block].next != none)
+        for_each_from_end(cell, links[block].next, function);
+      for (unsigned int lane = 0; lane < links[block].n_lanes; ++lane)
+        function(ParticleSlot{cell, block, lane});
+    }
+
+    /// An empty block at the head of a cell's chain.
+    unsigned int
+    add_block(const unsigned int cell);
+
+    /// Copy the first lane, without mass, into the empty ones.
+    void
+    fill_empty_lanes(const unsigned int block);
+
+    std::vector<ParticleBlock> blocks;
+    std::vector<Link>          links;
+    std::vector<unsigned int>  first;  ///< block of each cell
+    std::vector<unsigned int>  unused; ///< blocks
+    unsigned int               n_stored = 0;
+
+    /// Kept between calls to avoid allocation.
+    std::vector<ParticleBlock> sorted_blocks;
+    std::vector<Link>          sorted_links;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,149 @@
+#include <sandglass/particles/particle_blocks.h>
+
+#include <algorithm>
+
+namespace Sandglass
+{
+  void
+  ParticleBlocks::clear()
+  {
+    blocks.clear();
+    links.clear();
+    unused.clear();
+    std::fill(first.begin(), first.end(), none);
+    n_stored = 0;
+  }
+
+
+
+  ParticleSlot
+  ParticleBlocks::insert(const Parcel &parcel)
+  {
+    unsigned int block = first[parcel.cell];
+    if (block == none || links[block].n_lanes == Lanes::n)
+      block = add_block(parcel.cell);
+    const ParticleSlot slot{parcel.cell, block, links[block].n_lanes++};
+    overwrite(slot, parcel);
+    ++n_stored;
+    return slot;
+  }
+
+
+
+  void
+  ParticleBlocks::remove(const ParticleSlot &slot)
+  {
+    const unsigned int head = first[slot.cell];
+    const unsigned int last = --links[head].n_lanes;
+    for (unsigned int q = 0; q < ParticleBlock::n_quantities; ++q)
+      blocks[slot.block].values[q][slot.lane] = blocks[head].values[q][last];
+    links[slot.block].ids[slot.lane] = links[head].ids[last];
+    if (last > 0)
+      fill_empty_lanes(head);
+    else
+      {
+        first[slot.cell] = links[head].next;
+        unused.push_back(head);
+      }
+    --n_stored;
+  }
+
+
+
+  Parcel
+  ParticleBlocks::parcel(const ParticleSlot &slot) const
+  {
+    const ParticleBlock &block = blocks[slot.block];
+    Parcel               result;
+    result.cell            = slot.cell;
+    result.id              = id(slot);
+    result.location        = block.point(ParticleBlock::location, slot.lane);
+    result.reference_point = block.point(ParticleBlock::reference, slot.lane);
+    for (unsigned int p = 0; p < Property::n_properties; ++p)
+      result.properties[p] =
+        block.values[ParticleBlock::properties + p][slot.lane];
+    return result;
+  }
+
+
+
+  void
+  ParticleBlocks::overwrite(const ParticleSlot &slot, const Parcel &parcel)
+  {
+    ParticleBlock &block = blocks[slot.block];
+    block.set_point(ParticleBlock::location, slot.lane, parcel.location);
+    block.set_point(ParticleBlock::reference,
+                    slot.lane,
+                    parcel.reference_point);
+    for (unsigned int p = 0; p < Property::n_properties; ++p)
+      block.values[ParticleBlock::properties + p][slot.lane] =
+        parcel.properties[p];
+    links[slot.block].ids[slot.lane] = parcel.id;
+    if (slot.lane == 0)
+      fill_empty_lanes(slot.block);
+  }
+
+
+
+  void
+  ParticleBlocks::sort()
+  {
+    sorted_blocks.clear();
+    sorted_links.clear();
+    sorted_blocks.reserve(blocks.size());
+    sorted_links.reserve(links.size());
+    for (unsigned int &head : first)
+      {
+        unsigned int  block = head;
+        unsigned int *place = &head;
+        while (block != none)
+          {
+            *place = sorted_blocks.size();
+            sorted_blocks.push_back(blocks[block]);
+            sorted_links.push_back(links[block]);
+            block = links[block].next;
+            place = &sorted_links.back().next;
+          }
+      }
+    std::swap(blocks, sorted_blocks);
+    std::swap(links, sorted_links);
+    unused.clear();
+  }
+
+
+
+  unsigned int
+  ParticleBlocks::add_block(const unsigned int cell)
+  {
+    unsigned int block;
+    if (unused.empty())
+      {
+        block = blocks.size();
+        blocks.emplace_back();
+        links.emplace_back();
+      }
+    else
+      {
+        block = unused.back();
+        unused.pop_back();
+      }
+    links[block].next    = first[cell];
+    links[block].n_lanes = 0;
+    first[cell]          = block;
+    return block;
+  }
+
+
+
+  void
+  ParticleBlocks::fill_empty_lanes(const unsigned int block)
+  {
+    auto &values = blocks[block].values;
+    for (unsigned int lane = links[block].n_lanes; lane < Lanes::n; ++lane)
+      {
+        for (auto &quantity : values)
+          quantity[lane] = quantity[0];
+        values[ParticleBlock::properties + Property::mass][lane] = 0.;
+      }
+  }
+} // namespace Sandglass
