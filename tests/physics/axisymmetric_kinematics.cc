@@ -107,8 +107,9 @@ namespace
     {
       const Elasticity       elasticity = fixture.material.elasticity();
       const SymmetricTensor4 rates(a, b, a, 0.);
-      const SymmetricTensor4 change = elasticity.stress<double>(time_step * rates);
-      const double           ratio =
+      const SymmetricTensor4 change =
+        elasticity.stress<double>(time_step * rates);
+      const double ratio =
         (1. + time_step * a) * (1. + time_step * b) * (1. + time_step * a);
       const double bound = 1e-11 + 1e-14 / distance;
 

@@ -149,6 +149,23 @@ namespace Sandglass
       return select(a < Lanes(0.), -a, a);
     }
 
+    /// The four sums over the lanes.
+    friend Lanes
+    sums_of_four(const Lanes &a, const Lanes &b, const Lanes &c, const Lanes &d)
+    {
+      // In each half a register, as shuffles across the middle are slow.
+      const Vector ab =
+        __builtin_shufflevector(a.vector, b.vector, 0, 4, 2, 6) +
+        __builtin_shufflevector(a.vector, b.vector, 1, 5, 3, 7);
+      const Vector cd =
+        __builtin_shufflevector(c.vector, d.vector, 0, 4, 2, 6) +
+        __builtin_shufflevector(c.vector, d.vector, 1, 5, 3, 7);
+      Lanes result;
+      result.vector = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) +
+                      __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+      return result;
+    }
+
     friend double
     sum(const Lanes &a)
     {
@@ -185,16 +202,23 @@ namespace Sandglass
   }
 
   /**
-   * The sums over the lanes of several Lanes in a row, in the order of sum().
-   *
-   * @param sums  as many numbers as `values`.
+   * The sums over the lanes of several numbers, in the order of sum(): four of
+   * them at a time, which costs little more than one alone.
    */
   template <std::size_t n_values>
   void
   sum_lanes(const std::array<Lanes, n_values> &values,
             std::array<double, n_values>      &sums)
   {
-    for (std::size_t i = 0; i < n_values; ++i)
+    constexpr std::size_t n_in_fours = n_values - n_values % Lanes::n;
+    for (std::size_t i = 0; i < n_in_fours; i += Lanes::n)
+      {
+        const Lanes four =
+          sums_of_four(values[i], values[i + 1], values[i + 2], values[i + 3]);
+        for (unsigned int lane = 0; lane < Lanes::n; ++lane)
+          sums[i + lane] = four[lane];
+      }
+    for (std::size_t i = n_in_fours; i < n_values; ++i)
       sums[i] = sum(values[i]);
   }
 } // namespace Sandglass

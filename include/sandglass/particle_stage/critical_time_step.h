@@ -9,6 +9,8 @@
 #include <sandglass/particle_stage/random_nodal_field.h>
 #include <sandglass/scene/scene.h>
 
+#include <Eigen/Eigenvalues>
+
 namespace Sandglass
 {
   /**
@@ -23,11 +25,12 @@ namespace Sandglass
    * loses its mass does not make lambda grow without bound, as it does without
    * the velocity map.
    *
-   * Power iteration finds lambda, with the Rayleigh quotient
-   * (f^T G f) / (u^T f), which is never above it. It starts afresh each time,
-   * since the stiffest spot moves and a restarted run has to find the same
-   * step, from random numbers times what each node's own entries of G and K
-   * say of it: a plain random vector would miss a single stiff node.
+   * Lanczos' method finds lambda: G K is symmetric in the inner product x^T K
+   * y, and the largest eigenvalue of the tridiagonal matrix of a few iterations
+   * is close to lambda, never above it. It starts afresh each time, since the
+   * stiffest spot moves and a restarted run has to find the same step, from
+   * random numbers times what each node's own entries of G and K say of it: a
+   * plain random vector would miss a single stiff node.
    *
    * Nodes on the axis and in fixed corners are held. On the axis of
    * axisymmetric scenes a particle's hoop strain would otherwise grow without
@@ -45,8 +48,9 @@ namespace Sandglass
       , scene(scene)
       , random_direction(*scene.nodes)
       , direction(*scene.nodes)
+      , last_direction(*scene.nodes)
       , force(*scene.nodes)
-      , mapped_force(*scene.nodes)
+      , mapped(*scene.nodes)
     {
       fill_with_random_numbers(random_direction, scene);
     }
@@ -65,14 +69,29 @@ namespace Sandglass
             const NodalField<NodalSum::n_components> &sums,
             const unsigned int                        n_iterations)
     {
+      AssertIndexRange(n_iterations, max_iterations + 1);
       stiffness.assemble(blocks, cells);
       set_first_direction(sums);
       contact.release_always_held(direction);
-      direction.update_ghosts();
-      double eigenvalue = 0.;
-      for (unsigned int i = 0; i < n_iterations; ++i)
-        eigenvalue = iterate(blocks, cells, mass_matrix, contact, sums);
-      return 2. / std::sqrt(eigenvalue);
+      last_direction.start_sum();
+
+      Diagonal     diagonal(n_iterations), beside(n_iterations);
+      unsigned int n = 0;
+      for (; n < n_iterations; ++n)
+        {
+          const double norm = multiply_by_stiffness(blocks, cells);
+          // Without stiffness, or all of it known already.
+          if (!(norm > (n == 0 ? 0. : 1e-10 * diagonal[0])))
+            break;
+          if (n > 0)
+            beside[n - 1] = norm;
+          diagonal[n] =
+            accelerate_force(blocks, cells, mass_matrix, contact, sums);
+          orthogonalize(diagonal[n], n > 0 ? norm : 0.);
+        }
+      return n == 0 ? std::numeric_limits<double>::infinity() :
+                      2. / std::sqrt(largest_eigenvalue(diagonal.head(n),
+                                                        beside.head(n - 1)));
     }
 
     /**
@@ -91,7 +110,19 @@ namespace Sandglass
              Utilities::MPI::max(largest, scene.communicator);
     }
 
+    /// Of compute().
+    static constexpr unsigned int max_iterations = 64;
+
   private:
+    using Diagonal =
+      Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_iterations, 1>;
+    using Matrix = Eigen::Matrix<double,
+                                 Eigen::Dynamic,
+                                 Eigen::Dynamic,
+                                 0,
+                                 max_iterations,
+                                 max_iterations>;
+
     /// Up to the modulus, in m^2/kg.
     static double
     own_eigenvalue(const double *sums)
@@ -114,33 +145,65 @@ namespace Sandglass
         }
     }
 
-    /// One power iteration; returns the Rayleigh quotient in 1/s^2.
+    /**
+     * force = K direction, and both scaled so that direction^T K direction = 1.
+     *
+     * @return the norm of the direction before.
+     */
     double
-    iterate(const ParticleBlocks                     &blocks,
-            const NodalSums<Setting>                 &cells,
-            MassMatrix<Setting>                      &mass_matrix,
-            const Contact                            &contact,
-            const NodalField<NodalSum::n_components> &sums)
+    multiply_by_stiffness(const ParticleBlocks     &blocks,
+                          const NodalSums<Setting> &cells)
     {
+      direction.update_ghosts();
       force.start_sum();
-      const double energy = stiffness.multiply(blocks, cells, direction, force);
-      force.finish_sum();
-      accelerate(mass_matrix, contact, sums, force);
-      mapped_force.start_sum();
-      const double mapped_energy =
-        cells.multiply_by_mass(blocks, force, mapped_force);
-      mapped_force.finish_sum();
-
-      const Tensor<1, 2> totals =
-        Utilities::MPI::sum(Tensor<1, 2>({energy, mapped_energy}),
+      const double energy =
+        Utilities::MPI::sum(stiffness.multiply(blocks, cells, direction, force),
                             scene.communicator);
-      if (!(totals[0] > 0.) || !(totals[1] > 0.))
-        return 0.; // nothing is stiff
-      // Keeps the eigenvector's size.
-      mapped_force.vector() *= totals[0] / totals[1];
-      accelerate(mass_matrix, contact, sums, mapped_force);
-      std::swap(direction, mapped_force);
-      return totals[1] / totals[0];
+      force.finish_sum();
+      if (!(energy > 0.))
+        return 0.;
+      const double norm = std::sqrt(energy);
+      direction.vector() *= 1. / norm;
+      force.vector() *= 1. / norm;
+      return norm;
+    }
+
+    /// mapped = G force; returns force^T G force.
+    double
+    accelerate_force(const ParticleBlocks                     &blocks,
+                     const NodalSums<Setting>                 &cells,
+                     MassMatrix<Setting>                      &mass_matrix,
+                     const Contact                            &contact,
+                     const NodalField<NodalSum::n_components> &sums)
+    {
+      accelerate(mass_matrix, contact, sums, force);
+      mapped.start_sum();
+      const double energy =
+        Utilities::MPI::sum(cells.multiply_by_mass(blocks, force, mapped),
+                            scene.communicator);
+      mapped.finish_sum();
+      accelerate(mass_matrix, contact, sums, mapped);
+      return energy;
+    }
+
+    /// The next direction: mapped without its parts along the last two.
+    void
+    orthogonalize(const double along_direction, const double along_last)
+    {
+      mapped.vector().add(-along_direction,
+                          direction.vector(),
+                          -along_last,
+                          last_direction.vector());
+      std::swap(last_direction, direction);
+      std::swap(direction, mapped);
+    }
+
+    static double
+    largest_eigenvalue(const Diagonal &diagonal, const Diagonal &beside)
+    {
+      Eigen::SelfAdjointEigenSolver<Matrix> solver;
+      solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
+      return solver.eigenvalues().maxCoeff();
     }
 
     /// field = M^-1 field where nodes may move, ghosts updated.
@@ -165,9 +228,10 @@ namespace Sandglass
     const Scene           &scene;
 
     NodalField<dim> random_direction;
-    NodalField<dim> direction;    ///< u, the eigenvector's approximation
-    NodalField<dim> force;        ///< K u, then M^-1 K u
-    NodalField<dim> mapped_force; ///< M_c M^-1 K u
+    NodalField<dim> direction;      ///< u
+    NodalField<dim> last_direction; ///< u of the iteration before
+    NodalField<dim> force;          ///< K u, then M^-1 K u
+    NodalField<dim> mapped;         ///< G K u
   };
 } // namespace Sandglass
 

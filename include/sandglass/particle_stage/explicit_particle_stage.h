@@ -232,7 +232,7 @@ namespace Sandglass
     find_critical_time_step() override
     {
       // Within a few per cent of the eigenvalue; the safety factor covers them.
-      constexpr unsigned int n_iterations = 10;
+      constexpr unsigned int n_iterations = 7;
       return critical.compute(cloud.blocks(),
                               nodal_sums,
                               mass_matrix,
