@@ -64,6 +64,7 @@ namespace Sandglass
                                   const Clock              &clock)
   {
     departures.clear();
+    wall_impulses.clear();
     for (const Stray &stray : strays)
       relocate_one(stray);
     throw_if_faulty(clock);
@@ -137,7 +138,7 @@ namespace Sandglass
   template <CellType cell_type>
   typename Relocation<cell_type>::Location
   Relocation<cell_type>::hold_at_wall(const Stray    &stray,
-                                      const Location &location) const
+                                      const Location &location)
   {
     const auto          &shape   = geometry.shape(location.cell);
     const auto          &ends    = Geometry::Shape::face_nodes[location.face];
@@ -169,6 +170,12 @@ namespace Sandglass
     const Point<dim> on_wall =
       position - (normal * offset + margin * edge.norm()) * normal;
     particle->set_location(on_wall);
+    wall_impulses.push_back(
+      {{{start, shape.node(ends[1])}},
+       std::clamp(offset * edge / edge.norm_square(), 0., 1.),
+       normal,
+       state[Property::mass] * (held_velocity - velocity),
+       held_velocity});
     return geometry.find(on_wall, location.cell);
   }
 

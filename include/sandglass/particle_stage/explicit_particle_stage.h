@@ -68,6 +68,7 @@ namespace Sandglass
         volumetric_average.is_on ? move<true>() : move<false>();
       particle_steps += cloud.handler.n_locally_owned_particles();
       relocation.relocate(strays, cloud, clock);
+      contact.add_impulses(relocation.wall_impulses);
       // Step 10
       clock.time += clock.time_step;
       ++clock.step;

@@ -3,6 +3,7 @@
 
 #include <sandglass/particle_stage/clock.h>
 #include <sandglass/particle_stage/particle_stage_parameters.h>
+#include <sandglass/particle_stage/wall_impulse.h>
 #include <sandglass/particles/cell_geometry.h>
 #include <sandglass/particles/particle_cloud.h>
 #include <sandglass/walls/friction.h>
@@ -64,6 +65,9 @@ namespace Sandglass
 
     RemovedMass removed;
 
+    /// What walls beside a free lip did to particles in the last relocate().
+    std::vector<WallImpulse> wall_impulses;
+
   private:
     using Location = typename Geometry::Location;
 
@@ -80,7 +84,7 @@ namespace Sandglass
     /// Put a particle beyond a wall back onto it, and stop its motion into it
     /// as far as friction and wall do.
     Location
-    hold_at_wall(const Stray &stray, const Location &location) const;
+    hold_at_wall(const Stray &stray, const Location &location);
 
     void
     report_fault(const Stray &stray, const Location &location);
