@@ -62,15 +62,15 @@ def density_runs():
 
 
 def lip_run(mesh, lip):
-    """The lip on the floor is that of the scene's own run."""
+    """The free lip is that of the scene's own run."""
     scene = scene_name("plane-flat-bottom", mesh, True)
-    if lip == "floor":
+    if lip == "free":
         return Run(scene, scene)
     return Run(f"{scene}-{lip}-lip", scene, (f"Walls/Outlet lip={lip}",))
 
 
 def all_runs():
-    lips = [lip_run(mesh, "free") for mesh in reversed(MESHES)]
+    lips = [lip_run(mesh, "floor") for mesh in reversed(MESHES)]
     others = [density_run("plane-hopper", "constant", True)]
     return list(dict.fromkeys(paper_runs() + density_runs() + lips + others))
 

@@ -57,7 +57,7 @@ namespace Sandglass
 
 
     std::vector<Checkpoint::NodeState>
-    pack_nodes(const ParticleStage &stage)
+    pack_nodes(ParticleStage &stage)
     {
       const auto vertices = vertices_of_nodes(stage.scene);
       const auto dofs     = stage.contact.node_dofs();

@@ -193,6 +193,8 @@ namespace Sandglass
              trial_velocity * node.supports[s].normal > 0.;
     };
 
+    if (node.is_free)
+      return 0;
     if (node.supports.size() == 1)
       return holds(0, velocity) ? 1 : 0;
 

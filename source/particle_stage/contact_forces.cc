@@ -4,11 +4,35 @@
 
 #include <sandglass/particle_stage/contact.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
 namespace Sandglass
 {
+  namespace
+  {
+    void
+    record_impulse(WallForce &record, const Tensor<1, dim> &impulse)
+    {
+      record.normal_force -= impulse * record.normal;
+      record.tangential_force += impulse * wall_tangent(record.normal);
+    }
+
+
+
+    /// Which of a node's supports has the normal nearest to a face's.
+    unsigned int
+    facing_support(const BoundaryNode &node, const Tensor<1, dim> &normal)
+    {
+      const auto &supports = node.supports;
+      return supports.size() == 2 &&
+             supports[1].normal * normal > supports[0].normal * normal;
+    }
+  } // namespace
+
+
+
   void
   Contact::start_from(const std::vector<WallForce> &wall_forces)
   {
@@ -48,9 +72,7 @@ namespace Sandglass
     auto &records = node.impulse;
     if (node.boundary.supports.size() == 1)
       {
-        records[0].normal_force -= impulse * records[0].normal;
-        records[0].tangential_force +=
-          impulse * wall_tangent(records[0].normal);
+        record_impulse(records[0], impulse);
         return;
       }
     // impulse = -(a n_0 + b n_1)
@@ -85,9 +107,51 @@ namespace Sandglass
 
 
 
+  void
+  Contact::add_impulses(const std::vector<WallImpulse> &impulses)
+  {
+    for (const WallImpulse &at_wall : impulses)
+      {
+        const auto          &ends = at_wall.ends;
+        const Tensor<1, dim> area = ends[0].distance(ends[1]) * at_wall.normal;
+        for (const unsigned int e : {0u, 1u})
+          impulses_on_particles[{{ends[e][0], ends[e][1], area[0], area[1]}}] +=
+            (e == 0 ? 1. - at_wall.place : at_wall.place) * at_wall.impulse;
+        dissipation -= at_wall.impulse * at_wall.velocity;
+      }
+  }
+
+
+
+  void
+  Contact::collect_impulses_on_particles()
+  {
+    const auto of_ranks =
+      Utilities::MPI::all_gather(communicator, impulses_on_particles);
+    impulses_on_particles.clear();
+    for (const auto &impulses : of_ranks)
+      for (const auto &[place, impulse] : impulses)
+        {
+          const Point<dim>     end(place[0], place[1]);
+          const Tensor<1, dim> area({place[2], place[3]});
+          // Each cell rounds its vertices in its own way.
+          const double rounding = 1e-9 * area.norm();
+          const auto   node =
+            std::find_if(nodes.begin(), nodes.end(), [&](const Node &n) {
+              return n.boundary.position.distance(end) < rounding;
+            });
+          if (node != nodes.end())
+            record_impulse(node->impulse[facing_support(node->boundary, area)],
+                           impulse);
+        }
+  }
+
+
+
   std::vector<WallForce>
   Contact::take_mean_forces()
   {
+    collect_impulses_on_particles();
     std::vector<WallForce> forces;
     for (auto &node : nodes)
       for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
@@ -109,8 +173,9 @@ namespace Sandglass
 
 
   Contact::Sums
-  Contact::sums() const
+  Contact::sums()
   {
+    collect_impulses_on_particles();
     Sums sums{dissipation, summed_time, {}};
     for (const auto &node : nodes)
       sums.impulses.push_back({{node.impulse[0].normal_force,

@@ -64,6 +64,7 @@ namespace Sandglass
                                   const Clock                     &clock)
   {
     departures.clear();
+    wall_impulses.clear();
     for (const ParticleSlot &stray : strays)
       relocate_one(stray, cloud.change_blocks());
     throw_if_faulty(clock);
@@ -144,7 +145,7 @@ namespace Sandglass
   typename Relocation<cell_type>::Location
   Relocation<cell_type>::hold_at_wall(const ParticleSlot &stray,
                                       const Location     &location,
-                                      ParticleBlocks     &blocks) const
+                                      ParticleBlocks     &blocks)
   {
     const auto          &shape   = geometry.shape(location.cell);
     const auto          &ends    = Geometry::Shape::face_nodes[location.face];
@@ -177,6 +178,13 @@ namespace Sandglass
     const Point<dim> on_wall =
       position - (normal * offset + margin * edge.norm()) * normal;
     block.set_point(ParticleBlock::location, stray.lane, on_wall);
+    wall_impulses.push_back(
+      {{{start, shape.node(ends[1])}},
+       std::clamp(offset * edge / edge.norm_square(), 0., 1.),
+       normal,
+       block.values[ParticleBlock::mass][stray.lane] *
+         (held_velocity - velocity),
+       held_velocity});
     return geometry.find(on_wall, location.cell);
   }
 

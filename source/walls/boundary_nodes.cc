@@ -108,12 +108,11 @@ namespace Sandglass
     std::vector<BoundaryNode> result;
     for (auto &[dof, node] : nodes)
       {
-        const bool is_freed =
-          node.is_outlet_lip &&
-          parameters.outlet_lip == WallParameters::OutletLip::free;
-        if (node.supports.empty() || is_freed)
+        if (node.supports.empty())
           continue;
-        node.is_fixed = parameters.fix_bottom_corner &&
+        node.is_free = node.is_outlet_lip &&
+                       parameters.outlet_lip == WallParameters::OutletLip::free;
+        node.is_fixed = parameters.fix_bottom_corner && !node.is_free &&
                         has_role(node, BoundaryRole::wall) &&
                         (has_role(node, BoundaryRole::floor) ||
                          has_role(node, BoundaryRole::outlet));

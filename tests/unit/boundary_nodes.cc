@@ -82,7 +82,7 @@ TEST(BoundaryNodes, CornersHaveBothNormals)
                  ->is_fixed);
 }
 
-TEST(BoundaryNodes, AFreeLipIsNotSupported)
+TEST(BoundaryNodes, OnlyAFreeLipIsFree)
 {
   StageFixture fixture;
   Rectangle    rectangle;
@@ -97,9 +97,12 @@ TEST(BoundaryNodes, AFreeLipIsNotSupported)
   const auto with_lip      = find();
   ASSERT_NE(node_at(with_lip, {0., 0.}), nullptr);
   EXPECT_TRUE(node_at(with_lip, {0., 0.})->is_outlet_lip);
+  EXPECT_FALSE(node_at(with_lip, {0., 0.})->is_free);
 
   fixture.walls.outlet_lip = WallParameters::OutletLip::free;
-  EXPECT_EQ(node_at(find(), {0., 0.}), nullptr);
+  const auto with_free_lip = find();
+  EXPECT_TRUE(node_at(with_free_lip, {0., 0.})->is_free);
+  EXPECT_FALSE(node_at(with_free_lip, {1., 0.})->is_free);
 }
 
 TEST(BoundaryNodes, TangentsPointUpOrRight)

@@ -2,12 +2,14 @@
 #define sandglass_particle_stage_contact_h
 
 #include <sandglass/particle_stage/nodal_fields.h>
+#include <sandglass/particle_stage/wall_impulse.h>
 #include <sandglass/scene/scene.h>
 #include <sandglass/walls/boundary_nodes.h>
 #include <sandglass/walls/friction.h>
 #include <sandglass/walls/wall_force.h>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace Sandglass
@@ -77,8 +79,16 @@ namespace Sandglass
     void
     add_forces(const NodalField<dim> &forces, const double time_step);
 
+    /**
+     * Add to the records of the last step what has held particles instead of
+     * nodes. Each end of the wall's face gets the share that its linear shape
+     * function has at the particle.
+     */
+    void
+    add_impulses(const std::vector<WallImpulse> &impulses);
+
     /// Work done against wall friction since the start, in J, this rank's
-    /// nodes.
+    /// nodes and particles.
     double
     friction_dissipation() const
     {
@@ -87,7 +97,7 @@ namespace Sandglass
 
     /**
      * Mean forces on this rank's nodes since the last call, or zero if no time
-     * has passed. Starts a new mean.
+     * has passed. Starts a new mean. Collective.
      */
     std::vector<WallForce>
     take_mean_forces();
@@ -119,8 +129,9 @@ namespace Sandglass
       std::vector<std::array<double, 4>> impulses;
     };
 
+    /// Collective.
     Sums
-    sums() const;
+    sums();
 
     void
     set_sums(const Sums &sums);
@@ -170,14 +181,26 @@ namespace Sandglass
     void
     record_normal_impulses(Node &node, const Tensor<1, dim> &impulse) const;
 
+    /// Hand the impulses on particles over to the nodes' records. Collective,
+    /// since a particle's wall may have a node of another rank.
+    void
+    collect_impulses_on_particles();
+
+    /// Position of an end of a wall's face, and the face's normal times its
+    /// length.
+    using WallPlace = std::array<double, 4>;
+
     const CoulombFriction friction;
     const bool            stops_velocity; ///< or else only acceleration
     /// Whether the axis cancels momentum instead of stopping it.
     const bool        has_image;
     const MPI_Comm    communicator;
     std::vector<Node> nodes;
-    double            dissipation = 0.;
-    double            summed_time = 0.;
+    /// Impulses on particles that the nodes' records lack yet, in N s.
+    std::map<WallPlace, Tensor<1, dim>> impulses_on_particles;
+
+    double dissipation = 0.;
+    double summed_time = 0.;
   };
 } // namespace Sandglass
 

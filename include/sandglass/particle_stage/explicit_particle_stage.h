@@ -74,6 +74,7 @@ namespace Sandglass
         volumetric_average.is_on ? pass<true>() : pass<false>();
       particle_steps += cloud.n_locally_owned_particles();
       nodal_sums.add(cloud.blocks(), relocation.relocate(strays, cloud, clock));
+      contact.add_impulses(relocation.wall_impulses);
       scatter_sums();
       // Step 10
       clock.time += clock.time_step;

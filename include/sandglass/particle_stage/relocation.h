@@ -3,6 +3,7 @@
 
 #include <sandglass/particle_stage/clock.h>
 #include <sandglass/particle_stage/particle_stage_parameters.h>
+#include <sandglass/particle_stage/wall_impulse.h>
 #include <sandglass/particles/cell_geometry.h>
 #include <sandglass/particles/particle_cloud.h>
 #include <sandglass/walls/friction.h>
@@ -61,6 +62,9 @@ namespace Sandglass
 
     RemovedMass removed;
 
+    /// What walls beside a free lip did to particles in the last relocate().
+    std::vector<WallImpulse> wall_impulses;
+
   private:
     using Location = typename Geometry::Location;
 
@@ -81,7 +85,7 @@ namespace Sandglass
     Location
     hold_at_wall(const ParticleSlot &stray,
                  const Location     &location,
-                 ParticleBlocks     &blocks) const;
+                 ParticleBlocks     &blocks);
 
     void
     report_fault(const Parcel &stray, const Location &location);

@@ -39,6 +39,9 @@ namespace Sandglass
     bool is_fixed = false;
     /// Whether it lies on the edge of the open outlet.
     bool is_outlet_lip = false;
+    /// Whether its supports do not hold it (a free lip), but only take their
+    /// share of the forces that hold particles beside it.
+    bool is_free = false;
   };
 
   /**
@@ -46,8 +49,7 @@ namespace Sandglass
    * ghost cells), in order of their degree of freedom. Open boundaries and the
    * top don't support nodes. Where two supports have the same direction they
    * are merged; the node at the foot of the wall on a flat floor is marked
-   * fixed if the parameters ask for it. With a free outlet lip the lip's node
-   * is left out.
+   * fixed if the parameters ask for it, that on a free outlet lip free.
    *
    * @param dof_handler  scalar, linear, on a triangulation whose boundary ids
    *                     are BoundaryRole values.

@@ -32,7 +32,7 @@ namespace Sandglass
     NormalCondition normal_condition   = NormalCondition::velocity;
     FrictionUpdate  friction_update    = FrictionUpdate::return_mapping;
     bool            fix_bottom_corner  = true;
-    OutletLip       outlet_lip         = OutletLip::floor;
+    OutletLip       outlet_lip         = OutletLip::free;
 
     /// mu = tan(friction angle)
     double
