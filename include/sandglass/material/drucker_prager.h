@@ -79,7 +79,8 @@ namespace Sandglass
 
       if (p == 0. && q_squared == 0.)
         return Case::elastic;
-      stress.setZero();
+      // What is not a number stays so, or the run would go on with it unseen.
+      stress.setConstant(p <= 0. ? 0. : p);
       return Case::separated;
     }
 
