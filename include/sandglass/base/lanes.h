@@ -115,6 +115,12 @@ namespace Sandglass
     }
 
     friend Mask
+    operator<=(const Lanes &a, const Lanes &b)
+    {
+      return a.vector <= b.vector;
+    }
+
+    friend Mask
     operator>=(const Lanes &a, const Lanes &b)
     {
       return a.vector >= b.vector;

@@ -79,22 +79,23 @@ namespace Sandglass
       const Number q_squared = Number(1.5) * double_contraction(s, s);
       const Number q_yield   = Number(yield_slope) * p;
 
-      const auto   is_compressed = p > Number(0.);
+      // What is not a number stays so, or the run would go on with it unseen.
+      const auto   is_separated = p <= Number(0.);
       const auto   yields        = q_squared > q_yield * q_yield;
       const Number ratio =
         select(yields, q_yield / sqrt(q_squared), Number(1.));
       for (unsigned int c = 0; c < 4; ++c)
         {
           const Number normal = c == Component::xy ? Number(0.) : p;
-          stress[c]           = select(is_compressed,
-                             select(yields, ratio * s[c] - normal, stress[c]),
-                             Number(0.));
+          stress[c]           = select(is_separated,
+                             Number(0.),
+                             select(yields, ratio * s[c] - normal, stress[c]));
         }
       // The plastic strain increment is (1 - ratio) s / (2 G).
-      return select(is_compressed,
+      return select(is_separated,
+                    Number(0.),
                     ratio * (Number(1.) - ratio) * q_squared *
-                      Number(1. / (3. * elasticity.shear_modulus)),
-                    Number(0.));
+                      Number(1. / (3. * elasticity.shear_modulus)));
     }
 
     /**

@@ -1,0 +1,98 @@
+#ifndef sandglass_tests_hard_small_silo_h
+#define sandglass_tests_hard_small_silo_h
+
+#include <sandglass/observers/particle_totals.h>
+#include <sandglass/scene/make_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../rest.h"
+#include "../stage_fixture.h"
+
+/**
+ * A flat-bottomed silo of 32 filled squares or about 80 filled triangles whose
+ * outlet opens on the state at rest.
+ */
+struct SmallSilo
+{
+  SmallSilo()
+  {
+    scene.half_width            = 0.2;
+    scene.wall_height           = 0.4;
+    scene.outlet_half_width     = 0.1;
+    scene.fall_region_depth     = 0.2;
+    scene.element_size          = 0.05;
+    fixture.parameters.end_time = 1e6;
+  }
+
+  void
+  start(const Sandglass::Mesh &mesh)
+  {
+    fixture.formulation        = scene.formulation;
+    fixture.particles_per_cell = scene.particles_per_cell;
+    fixture.start(mesh);
+    start_from_rest(fixture);
+    initial_mass = totals().mass();
+  }
+
+  void
+  start()
+  {
+    start(Sandglass::mesh_silo(scene));
+  }
+
+  Sandglass::ParticleTotals
+  totals() const
+  {
+    return {*fixture.stage, fixture.material.elasticity()};
+  }
+
+  /// @return the largest speed on the way over that of free fall through the
+  /// whole grid.
+  double
+  run_until(const double time)
+  {
+    const double free_fall =
+      std::sqrt(2. * 9.81 * (scene.fill_height() + scene.fall_region_depth));
+    double largest = 0.;
+    while (fixture.stage->clock.time < time)
+      {
+        fixture.stage->step();
+        largest = std::max(largest, fixture.stage->largest_speed() / free_fall);
+      }
+    return largest;
+  }
+
+  /// Relative to the mass at the start.
+  double
+  mass_error() const
+  {
+    return totals().mass() / initial_mass - 1.;
+  }
+
+  double
+  discharged_share() const
+  {
+    return totals().mass_discharged() / initial_mass;
+  }
+
+  bool
+  is_finite() const
+  {
+    bool result = true;
+    fixture.for_each_particle([&](auto, const auto &position, auto state) {
+      double sum = position[0] + position[1];
+      for (unsigned int i = 0; i < Sandglass::Property::n_properties; ++i)
+        sum += state[i];
+      result = result && std::isfinite(sum);
+    });
+    return result;
+  }
+
+  StageFixture               fixture;
+  Sandglass::SceneParameters scene;
+  double                     initial_mass = 0.;
+};
+
+#endif
