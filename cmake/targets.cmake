@@ -40,6 +40,17 @@ function(sandglass_setup_target target)
     target_compile_options(${target} PRIVATE
       -O3 -fno-math-errno -fno-trapping-math -g1)
   endif()
+  if(SANDGLASS_SANITIZE)
+    # vptr needs type information that deal.II's library keeps to itself. -O1
+    # because the checks are slow enough, -g1 for the lines in the report. With
+    # sanitizers GCC 12 takes parts of Boost and the standard library for
+    # uninitialised.
+    set(sanitizers -fsanitize=address,undefined -fno-sanitize=vptr)
+    target_compile_options(${target} PRIVATE
+      ${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1
+      -Wno-maybe-uninitialized)
+    target_link_options(${target} PRIVATE ${sanitizers})
+  endif()
   if(SANDGLASS_NATIVE)
     target_compile_options(${target} PRIVATE -march=native)
   endif()
