@@ -1,29 +1,31 @@
-"""The steady flow rate W over the outlet's width D, and the fit
-W = A (D - k h)^n with the element size h."""
+"""The flow rate W over the outlet's width D, and the fit W = A (D - k h)^n with
+the element size h."""
 import math
 from typing import NamedTuple
 
 import numpy
 from scipy.optimize import least_squares
+from scipy.stats import t as student
 
 import run_output
 from plots import STYLE, plt, save
 from runs import make_all
-from sweep_cases import (AXISYMMETRIC, LIPS, NAME, PLANE, SILOS, runs,
-                         sweep_run)
+from sweep_cases import (NAME, SILOS, VARIANTS, WINDOW, cases, outlet_time,
+                         runs, sweep_run)
 from tables import markdown, number
 
-LIP_COLORS = {"floor": "#1d3557", "free": "#c9822a"}
-FEWEST = 4  # widths for a fit
-MARKERS = {"plane": "o", "plane-similar": "s", "plane-fine": "^",
-           "axisymmetric": "o"}
+COLORS = {"floor": "#1d3557", "free": "#c9822a", "averaged": "#4a7c59",
+          "stiff": "#9b5094"}
+FEWEST = 5  # widths for a fit
+CONFIDENCE = 0.95
+RATE = "flow_rate_kg_per_s"
 
 
 class Fit(NamedTuple):
     factor: float
     offset: float  # k, in elements
     exponent: float
-    offset_error: float  # standard errors
+    offset_error: float  # half of the confidence interval
     exponent_error: float
     deviation: float  # root mean square, of the logarithm
 
@@ -36,56 +38,52 @@ def make_runs():
 
 
 def results():
-    rows = []
-    for key, silo in SILOS.items():
-        for lip in LIPS:
-            for outlet in silo.outlets:
-                directory = sweep_run(key, lip, outlet).directory
-                if run_output.has_ended(directory):
-                    rows.append(row_of(key, lip, outlet, directory))
-    return rows
+    return [row_of(*case) for case in cases()
+            if run_output.has_ended(sweep_run(*case).directory)]
 
 
-def row_of(key, lip, outlet, directory):
+def row_of(key, kind, outlet, seed):
     silo = SILOS[key]
+    directory = sweep_run(key, kind, outlet, seed).directory
     summary = run_output.read_summary(directory)
-    left = summary["mass_in_silo_kg"] / summary["mass_initial_kg"]
-    return {"silo": key, "lip": lip, "outlet_width_m": 2 * outlet,
+    start, end = WINDOW
+    middle = 0.5 * (start + end)
+    table = run_output.read_table(directory, "flow_rate.csv")
+    rate, earlier, later = (mean_rate(table, outlet_time(outlet), *times)
+                            for times in ((start, end), (start, middle),
+                                          (middle, end)))
+    return {"silo": key, "variant": kind, "outlet_width_m": 2 * outlet,
+            "seed": seed,
             "outlet_width_elements": 2 * outlet / silo.element,
-            "outlet_over_silo_width": silo.relative_outlet(outlet),
-            "steady_flow_rate_kg_per_s": summary["steady_flow_rate_kg_per_s"],
-            "steady_flow_start_s": summary["steady_flow_start_s"],
-            "steady_flow_end_s": summary["steady_flow_end_s"],
-            "over_beverloo": (summary["steady_flow_rate_kg_per_s"] /
-                              beverloo(directory)),
-            "drift": drift(directory, summary), "mass_left_share": left, "status": summary["status"]}
+            "outlet_over_silo_width": outlet / silo.half_width,
+            RATE: rate, "earlier_" + RATE: earlier, "later_" + RATE: later,
+            # The formula's rate without grain size.
+            "over_beverloo": rate / table["beverloo_0_kg_per_s"][0],
+            "mass_left_share": (summary["mass_in_silo_kg"] /
+                                summary["mass_initial_kg"]),
+            "status": summary["status"]}
 
 
-def beverloo(directory):
-    """The rate of the formula without grain size."""
-    table = run_output.read_table(directory, "flow_rate.csv")
-    return table["beverloo_0_kg_per_s"][0]
-
-
-def drift(directory, summary):
-    """The rate in the later half of the steady stretch over that in the
-    earlier one, less 1."""
-    table = run_output.read_table(directory, "flow_rate.csv")
-    start, end = (summary[f"steady_flow_{word}_s"] for word in
-                  ("start", "end"))
-    mass = numpy.interp([start, 0.5 * (start + end), end], table["time_s"],
+def mean_rate(table, unit, start, end):
+    """In kg/s; start and end in `unit` s."""
+    mass = numpy.interp([start * unit, end * unit], table["time_s"],
                         table["discharged_mass_kg"])
-    return (mass[2] - mass[1]) / (mass[1] - mass[0]) - 1.
+    return (mass[1] - mass[0]) / ((end - start) * unit)
 
 
-def select(rows, key, lip):
-    return [row for row in rows if row["silo"] == key and row["lip"] == lip]
+def select(rows, key, kind):
+    return [row for row in rows if row["silo"] == key and
+            row["variant"] == kind and row["status"] == "finished"]
 
 
-def fit(rows, element, exponent=None):
+def has_enough(rows):
+    return len({row["outlet_width_m"] for row in rows}) >= FEWEST
+
+
+def fit(rows, element, exponent=None, column=RATE):
     """Least squares of the logarithm; of n too if no exponent is given."""
     width = numpy.array([row["outlet_width_m"] for row in rows])
-    rate = numpy.log([row["steady_flow_rate_kg_per_s"] for row in rows])
+    rate = numpy.log([row[column] for row in rows])
     start = exponent or 2.
 
     def errors(parameters):
@@ -99,106 +97,106 @@ def fit(rows, element, exponent=None):
         first.append(start)
         bounds = (bounds[0] + [0.], bounds[1] + [10.])
     found = least_squares(errors, first, bounds=bounds, x_scale="jac")
-    variance = 2 * found.cost / (len(rows) - len(first))
-    error = numpy.sqrt(variance * numpy.diag(
-        numpy.linalg.inv(found.jac.T @ found.jac)))
+    freedom = len(rows) - len(first)
+    variance = 2 * found.cost / freedom
+    error = student.ppf(0.5 + 0.5 * CONFIDENCE, freedom) * numpy.sqrt(
+        variance * numpy.diag(numpy.linalg.inv(found.jac.T @ found.jac)))
     return Fit(math.exp(found.x[0]), found.x[1], exponent or found.x[2],
                error[1], 0. if exponent else error[2],
                math.sqrt(2 * found.cost / len(rows)))
 
 
-def fits(rows, keys):
+def fits(rows, key):
+    silo = SILOS[key]
     lines = []
-    for key in keys:
-        silo = SILOS[key]
-        for lip in LIPS:
-            chosen = select(rows, key, lip)
-            if len(chosen) < FEWEST:
-                continue
-            free = fit(chosen, silo.element)
-            fixed = fit(chosen, silo.element, silo.exponent)
-            lines.append([
-                silo.title, lip,
-                f"{free.exponent:.2f} ± {free.exponent_error:.2f}",
-                f"{free.offset:.1f} ± {free.offset_error:.1f}",
-                f"{100 * free.deviation:.1f} %",
-                f"{fixed.offset:.2f} ± {fixed.offset_error:.2f}",
-                f"{100 * fixed.deviation:.1f} %"])
-    power = f"{SILOS[keys[0]].exponent:g}"
-    return markdown(["silo", "lip", "exponent n", "offset k, elements",
-                     "deviation", f"offset k if n = {power}", "deviation"],
-                    lines)
+    for kind, variant in VARIANTS.items():
+        chosen = select(rows, key, kind)
+        if has_enough(chosen):
+            lines.append([variant.title, len(chosen),
+                          *fit_cells(chosen, silo)])
+    start, end = WINDOW
+    middle = 0.5 * (start + end)
+    return markdown(
+        ["variant", "runs", "exponent n", "offset k, elements", "deviation",
+         f"n from {start:g} to {middle:g}", f"n from {middle:g} to {end:g}",
+         f"offset k if n = {silo.exponent:g}", "deviation"], lines)
 
 
-def rates(rows, keys):
-    unit = "kg/(s m)" if SILOS[keys[0]].is_plane else "kg/s"
+def fit_cells(rows, silo):
+    free = fit(rows, silo.element)
+    fixed = fit(rows, silo.element, silo.exponent)
+    halves = (fit(rows, silo.element, column=half + RATE)
+              for half in ("earlier_", "later_"))
+    return [f"{free.exponent:.2f} ± {free.exponent_error:.2f}",
+            f"{free.offset:.1f} ± {free.offset_error:.1f}",
+            f"{100 * free.deviation:.1f} %",
+            *(f"{half.exponent:.2f} ± {half.exponent_error:.2f}"
+              for half in halves),
+            f"{fixed.offset:.2f} ± {fixed.offset_error:.2f}",
+            f"{100 * fixed.deviation:.1f} %"]
+
+
+def rates(rows, key):
+    silo = SILOS[key]
+    unit = "kg/(s m)" if key == "plane" else "kg/s"
     lines = []
-    for key in keys:
-        silo = SILOS[key]
-        for outlet in silo.outlets:
-            line = [silo.title, f"{2 * outlet:g}",
-                    f"{2 * outlet / silo.element:g}",
-                    f"{silo.relative_outlet(outlet):.2f}"]
-            for lip in LIPS:
-                line += rate_cells(row for row in select(rows, key, lip)
-                                   if row["outlet_width_m"] == 2 * outlet)
-            lines.append(line)
-    head = ["silo", "outlet D, m", "D, elements", "D / silo's width"]
-    for lip in ("lip on the floor", "free lip"):
-        head += [f"{lip}, {unit}", "over Beverloo's", "drift"]
+    for outlet in silo.outlets:
+        line = [f"{2 * outlet:g}", f"{2 * outlet / silo.element:g}",
+                f"{outlet / silo.half_width:.2f}"]
+        for kind in VARIANTS:
+            line += rate_cells([row for row in select(rows, key, kind)
+                                if row["outlet_width_m"] == 2 * outlet])
+        lines.append(line)
+    head = ["outlet D, m", "D, elements", "D / silo's width"]
+    for variant in VARIANTS.values():
+        head += [f"{variant.title}, {unit}", "over Beverloo's"]
     return markdown(head, lines)
 
 
 def rate_cells(rows):
-    row = next(rows, None)
-    if row is None:
-        return 3 * ["–"]
-    return [number(row["steady_flow_rate_kg_per_s"]),
-            f"{row['over_beverloo']:.2f}", f"{100 * row['drift']:+.0f} %"]
+    """Means over the seeds."""
+    if not rows:
+        return 2 * ["–"]
+
+    def mean(column):
+        return sum(row[column] for row in rows) / len(rows)
+    return [number(mean(RATE)), f"{mean('over_beverloo'):.2f}"]
 
 
 def parts(rows):
-    return {f"{table.__name__}-{kind}": table(rows, keys)
-            for kind, keys in (("plane", PLANE),
-                               ("axisymmetric", AXISYMMETRIC))
-            for table in (fits, rates)}
+    return {f"{table.__name__}-{key}": table(rows, key)
+            for key in SILOS for table in (fits, rates)}
 
 
-def draw_silo(axes, chosen, key, lip):
+def draw_variant(axes, chosen, key, kind):
     silo = SILOS[key]
     width = numpy.array([row["outlet_width_elements"] for row in chosen])
-    style = {"color": LIP_COLORS[lip], "marker": MARKERS[key]}
-    axes.plot(width, [row["over_beverloo"] for row in chosen], linestyle="",
-              markersize=5, label=f"{silo.title}, lip: {lip}", **style)
-    if len(chosen) < FEWEST:
+    axes.plot(width, [row["over_beverloo"] for row in chosen], "o",
+              markersize=4, color=COLORS[kind], label=VARIANTS[kind].title)
+    if not has_enough(chosen):
         return
     # Beverloo's rate is a multiple of D^n.
-    factor = (chosen[0]["over_beverloo"] /
-              chosen[0]["steady_flow_rate_kg_per_s"] *
+    factor = (chosen[0]["over_beverloo"] / chosen[0][RATE] *
               chosen[0]["outlet_width_m"]**silo.exponent)
-    line = silo.element * numpy.linspace(width[0], width[-1], 100)
+    line = silo.element * numpy.linspace(min(width), max(width), 100)
     rate = fit(chosen, silo.element).rate(line, silo.element)
     axes.plot(line / silo.element, factor * rate / line**silo.exponent,
-              color=LIP_COLORS[lip], linewidth=1)
-
-
-def draw_panel(axes, rows, keys):
-    for key in keys:
-        for lip in LIPS:
-            chosen = select(rows, key, lip)
-            if chosen:
-                draw_silo(axes, chosen, key, lip)
-    axes.set_ylim(0, None)
-    axes.set_xlabel("outlet's width, elements")
-    if axes.lines:
-        axes.legend(frameon=False, fontsize=8, loc="lower right")
+              color=COLORS[kind], linewidth=1)
 
 
 def draw(rows):
     with plt.rc_context(STYLE):
         figure, panels = plt.subplots(1, 2, layout="constrained",
                                       figsize=(10, 4), sharey=True)
-        for axes, keys in zip(panels, (PLANE, AXISYMMETRIC)):
-            draw_panel(axes, rows, keys)
-        panels[0].set_ylabel("steady rate over Beverloo's, d/D = 0")
+        for axes, (key, silo) in zip(panels, SILOS.items()):
+            for kind in VARIANTS:
+                chosen = select(rows, key, kind)
+                if chosen:
+                    draw_variant(axes, chosen, key, kind)
+            axes.set_ylim(0, None)
+            axes.set_xlabel("outlet's width, elements")
+            axes.set_title(silo.title, fontsize=11)
+            if axes.lines:
+                axes.legend(frameon=False, fontsize=8, loc="lower right")
+        panels[0].set_ylabel("rate over Beverloo's, d/D = 0")
         save(figure, NAME + ".png")
