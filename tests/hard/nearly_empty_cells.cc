@@ -59,7 +59,7 @@ namespace
     double
     largest_acceleration(const unsigned int n_steps)
     {
-      const std::size_t n = fixture.stage->cloud.handler.n_global_particles();
+      const std::size_t n = fixture.stage->cloud.n_locally_owned_particles();
       std::vector<Tensor<1, 2>> before(16 * n), after(16 * n);
       double                    largest = 0.;
       collect(before);

@@ -141,13 +141,13 @@ TEST_P(ParticlesAndCells, DischargeToTheLastParticle)
   silo.scene.hopper_height          = 0.4;
   silo.fixture.walls.friction_angle = 10.;
   silo.start();
-  const auto &handler = silo.fixture.stage->cloud.handler;
-  while (handler.n_locally_owned_particles() > 0 &&
+  const auto &cloud = silo.fixture.stage->cloud;
+  while (cloud.n_locally_owned_particles() > 0 &&
          silo.fixture.stage->clock.time < 20.)
     silo.fixture.stage->step();
-  std::cout << handler.n_locally_owned_particles() << " particles left at "
+  std::cout << cloud.n_locally_owned_particles() << " particles left at "
             << silo.fixture.stage->clock.time << " s" << std::endl;
-  EXPECT_EQ(handler.n_locally_owned_particles(), 0u);
+  EXPECT_EQ(cloud.n_locally_owned_particles(), 0u);
   EXPECT_NEAR(silo.discharged_share(), 1., 1e-12);
   // Nothing is left to compute, but the clock goes on.
   const double time = silo.fixture.stage->clock.time;

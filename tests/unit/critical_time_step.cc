@@ -29,7 +29,7 @@ namespace
                                             geometry,
                                             *fixture.scene)
       .compute(
-        blocks, cells, mass_matrix, stage.contact, stage.fields.sums, 600);
+        blocks, cells, mass_matrix, stage.contact, stage.fields.sums, 60);
   }
 
   /// Critical step, times wave speed over element size, of a strip of squares

@@ -1,3 +1,5 @@
+#include <deal.II/base/tensor.h>
+
 #include <sandglass/material/elasticity.h>
 #include <sandglass/material/green_naghdi.h>
 #include <sandglass/particle_stage/deformation.h>
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <iostream>
 
+using namespace dealii;
 using namespace Sandglass;
 
 namespace
@@ -126,7 +129,8 @@ TEST(GreenNaghdi, RigidTurnsCarryTheStressOfAStretchedBody)
       point.step(turn);
       const SymmetricTensor4 expected =
         rotate(start,
-               {std::cos(2. * step * angle), std::sin(2. * step * angle)});
+               StressRotation<double>{std::cos(2. * step * angle),
+                                      std::sin(2. * step * angle)});
       ASSERT_NEAR((point.stress - expected).norm() / start.norm(), 0., 1e-10)
         << "step " << step;
     }

@@ -60,10 +60,8 @@ namespace Sandglass
                          clock.time_step);
       // Step 7: the velocity that deforms and moves the particles
       nodal_sums.map_momentum(cloud.blocks(),
-                              fields.sums,
                               fields.acceleration,
                               clock.time_step,
-                              *scene.nodes,
                               fields.mapped_velocity);
       solve_mapped_velocity(fields, mass_matrix, contact);
       // Steps 6, 8 and 9: velocity, stress, density and position

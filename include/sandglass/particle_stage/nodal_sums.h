@@ -114,22 +114,22 @@ namespace Sandglass
      * before plus dt M a with the consistent mass matrix. Collective.
      */
     void
-    map_momentum(const ParticleBlocks                     &blocks,
-                 const NodalField<NodalSum::n_components> &sums,
-                 const NodalField<dim>                    &acceleration,
-                 const double                              time_step,
-                 const Utilities::MPI::Partitioner        &nodes,
-                 NodalField<dim>                          &momentum) const
+    map_momentum(const ParticleBlocks  &blocks,
+                 const NodalField<dim> &acceleration,
+                 const double           time_step,
+                 NodalField<dim>       &momentum) const
     {
       momentum.start_sum();
-      multiply_by_mass(blocks, acceleration, momentum);
+      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        const auto &nodes  = geometry.nodes(cell);
+        auto        values = mass_times(cell, gather(acceleration, nodes));
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            values[i][d] =
+              cells[cell].momentum_at(i, d) + time_step * values[i][d];
+        Sandglass::scatter(values, nodes, momentum);
+      });
       momentum.finish_sum();
-      for (unsigned int node = 0; node < nodes.locally_owned_size(); ++node)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            double &value = momentum.at(node)[d];
-            value = sums.at(node)[NodalSum::momentum + d] + time_step * value;
-          }
     }
 
     /**
@@ -145,13 +145,9 @@ namespace Sandglass
     {
       double energy = 0.;
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
-        const auto              &cell_nodes = geometry.nodes(cell);
-        const auto               values     = gather(field, cell_nodes);
-        CellValues<dim, n_nodes> products{};
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          for (unsigned int j = 0; j < n_nodes; ++j)
-            for (unsigned int d = 0; d < dim; ++d)
-              products[i][d] += cells[cell].mass_entry(i, j) * values[j][d];
+        const auto &cell_nodes = geometry.nodes(cell);
+        const auto  values     = gather(field, cell_nodes);
+        const auto  products   = mass_times(cell, values);
         for (unsigned int i = 0; i < n_nodes; ++i)
           for (unsigned int d = 0; d < dim; ++d)
             energy += products[i][d] * values[i][d];
@@ -176,6 +172,19 @@ namespace Sandglass
 
   private:
     using Shape = CellShape<Setting::cell_type>;
+
+    /// A cell's share of M values.
+    CellValues<dim, n_nodes>
+    mass_times(const unsigned int              cell,
+               const CellValues<dim, n_nodes> &values) const
+    {
+      CellValues<dim, n_nodes> products{};
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int j = 0; j < n_nodes; ++j)
+          for (unsigned int d = 0; d < dim; ++d)
+            products[i][d] += cells[cell].mass_entry(i, j) * values[j][d];
+      return products;
+    }
 
     static void
     add_stiffness(const OfCell                            &cell,
