@@ -65,6 +65,7 @@ namespace Sandglass
           stops_velocity ? free_velocity : free_velocity - velocity;
         const unsigned int holding = holding_supports(node.boundary, approach);
         node.holding               = holding;
+        node.time_step             = time_step;
         Tensor<1, dim> end_velocity =
           free_velocity - approach +
           held_velocity(node.boundary, holding, approach);
@@ -85,6 +86,7 @@ namespace Sandglass
           else
             memories[n][s] = {};
 
+        node.end_velocity = end_velocity;
         for (unsigned int d = 0; d < dim; ++d)
           node_acceleration[d] = (end_velocity[d] - velocity[d]) / time_step;
       }
@@ -155,6 +157,30 @@ namespace Sandglass
               return node.holding |
                      holding_supports(node.boundary, pressed_velocity);
             });
+  }
+
+
+
+  void
+  Contact::stretch_friction(const NodalField<dim> &mapped_velocity)
+  {
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      {
+        const Node          &node = nodes[n];
+        const double        *mapped = mapped_velocity.at(node.index);
+        const Tensor<1, dim> difference =
+          Tensor<1, dim>({mapped[0], mapped[1]}) - node.end_velocity;
+        for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
+          {
+            const NodeSupport &support = node.boundary.supports[s];
+            if (node.holding == 1u << s && !node.boundary.is_fixed &&
+                support.role != BoundaryRole::axis)
+              friction.stretch(memories[n][s],
+                               difference * wall_tangent(support.normal),
+                               support.tributary_area,
+                               node.time_step);
+          }
+      }
   }
 
 

@@ -61,6 +61,15 @@ namespace Sandglass
     start_from(const std::vector<WallForce> &wall_forces);
 
     /**
+     * Let the springs of sticking friction follow the material, which moves
+     * with v^L and not with the nodes' velocity at the end of the step: what
+     * the nodes' mass swings by between the two would otherwise stretch the
+     * springs, and material at rest would tremble and creep.
+     */
+    void
+    stretch_friction(const NodalField<dim> &mapped_velocity);
+
+    /**
      * Set to zero what a nodal field has in the directions in which apply() has
      * found a wall to hold a node.
      */
@@ -144,6 +153,8 @@ namespace Sandglass
       std::array<WallForce, 2> impulse; ///< forces times time, in N s
       /// The supports that held it when apply() was called last.
       unsigned int holding = 0;
+      Tensor<1, dim> end_velocity; ///< at the end of that step, in m/s
+      double         time_step = 0.;
     };
 
     /// Set to zero what the supports `holding(node, value)` hold of a nodal

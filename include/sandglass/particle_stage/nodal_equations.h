@@ -84,7 +84,7 @@ namespace Sandglass
   void
   solve_mapped_velocity(NodalFields         &fields,
                         MassMatrix<Setting> &mass_matrix,
-                        const Contact       &contact)
+                        Contact             &contact)
   {
     mass_matrix.solve_lumped(fields.sums, fields.mapped_velocity);
     contact.constrain(fields.mapped_velocity);
@@ -96,6 +96,7 @@ namespace Sandglass
           fields.mapped_velocity);
         contact.constrain(fields.mapped_velocity);
       }
+    contact.stretch_friction(fields.mapped_velocity);
     fields.mapped_velocity.update_ghosts();
   }
 } // namespace Sandglass

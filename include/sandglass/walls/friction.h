@@ -98,6 +98,24 @@ namespace Sandglass
       return memory.tangential_force;
     }
 
+    /**
+     * Of a sticking node: let the force follow a displacement of the material
+     * that tangential_force() has not known of.
+     *
+     * @param velocity   beyond that at the step's end, tangential, in m/s.
+     * @param area       of wall that belongs to the node, in m^2.
+     * @param time_step  in s.
+     */
+    void
+    stretch(FrictionMemory &memory,
+            const double    velocity,
+            const double    area,
+            const double    time_step) const
+    {
+      if (!memory.is_sliding)
+        memory.tangential_force -= penalty * area * time_step * velocity;
+    }
+
   private:
     double         coefficient;
     double         penalty;
