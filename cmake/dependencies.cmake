@@ -65,6 +65,10 @@ if(SANDGLASS_BUILD_TESTS)
   mark_as_advanced(NUMDIFF)
   sandglass_require(NUMDIFF
     "numdiff (or -DSANDGLASS_BUILD_TESTS=OFF)" numdiff)
+  find_program(VALGRIND valgrind)
+  mark_as_advanced(VALGRIND)
+  sandglass_require(VALGRIND
+    "valgrind (or -DSANDGLASS_BUILD_TESTS=OFF)" valgrind)
 endif()
 
 if(SANDGLASS_BUILD_BENCHMARKS)

@@ -12,9 +12,11 @@ from pages import fill_all
 import mass_matrix
 import mesh_seeds
 import outlet_sweep
+import performance
 
 STUDIES = {study.NAME: study
-           for study in (outlet_sweep, mesh_seeds, mass_matrix)}
+           for study in (outlet_sweep, mesh_seeds, mass_matrix,
+                         performance)}
 
 
 def write_csv(name, rows):

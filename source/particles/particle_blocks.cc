@@ -108,6 +108,20 @@ namespace Sandglass
     std::swap(blocks, sorted_blocks);
     std::swap(links, sorted_links);
     unused.clear();
+    n_added = 0;
+  }
+
+
+
+  void
+  ParticleBlocks::sort_if_mixed()
+  {
+    // Where no cache holds the blocks, one out of order costs a step about as
+    // much as sorting costs for one; in the silo in flow this is every twenty
+    // steps.
+    constexpr unsigned int smallest_share = 4;
+    if (n_added > blocks.size() / smallest_share)
+      sort();
   }
 
 
@@ -127,6 +141,7 @@ namespace Sandglass
         block = unused.back();
         unused.pop_back();
       }
+    ++n_added;
     links[block].next    = first[cell];
     links[block].n_lanes = 0;
     first[cell]          = block;

@@ -14,9 +14,11 @@ namespace Sandglass
    *
    * GCC's and Clang's vector extension, unlike intrinsics, compiles to what
    * the surrounding function's target has: one AVX register or two of SSE
-   * (see instruction_sets.h).
+   * (see instruction_sets.h). The alignment is stated since GCC would take what
+   * the target's registers need, and so functions for different targets would
+   * expect different ones of the same object.
    */
-  class Lanes
+  class alignas(4 * sizeof(double)) Lanes
   {
   public:
     static constexpr unsigned int n = 4;

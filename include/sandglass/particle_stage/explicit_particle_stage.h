@@ -78,7 +78,7 @@ namespace Sandglass
       clock.time += clock.time_step;
       ++clock.step;
       check_speed();
-      keep_blocks_in_order();
+      cloud.change_blocks().sort_if_mixed();
       timer.stop();
     }
 
@@ -154,15 +154,6 @@ namespace Sandglass
         nodal_sums.template scatter<true>(cloud.blocks(), fields.sums);
       else
         nodal_sums.template scatter<false>(cloud.blocks(), fields.sums);
-    }
-
-    /// From time to time, as particles that change cell mix them up.
-    void
-    keep_blocks_in_order()
-    {
-      constexpr unsigned long interval = 500;
-      if (clock.step % interval == 0)
-        cloud.change_blocks().sort();
     }
 
     void

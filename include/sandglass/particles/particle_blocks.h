@@ -109,6 +109,11 @@ namespace Sandglass
     void
     sort();
 
+    /// The same if so many blocks are out of order that it costs less than
+    /// reading them.
+    void
+    sort_if_mixed();
+
     unsigned int
     n_particles() const
     {
@@ -208,6 +213,7 @@ namespace Sandglass
     std::vector<unsigned int>  first;  ///< block of each cell
     std::vector<unsigned int>  unused; ///< blocks
     unsigned int               n_stored = 0;
+    unsigned int               n_added  = 0; ///< blocks since sort()
 
     /// Kept between calls to avoid allocation.
     std::vector<ParticleBlock> sorted_blocks;

@@ -1,0 +1,218 @@
+"""How fast the particle stage is beside a plain loop and the machine's limits,
+what else a run costs, and a model of what MPI will cost."""
+import json
+import re
+import statistics
+import subprocess
+
+import run_output
+from runs import ROOT, make
+from study_runs import WITHOUT_OUTPUT, auto_scene, output_of, study_run
+from tables import markdown, number
+
+import scaling_model
+
+NAME = "performance"
+SCENE = auto_scene("plane-flat-bottom", 3)
+ELEMENT_SIZE = 0.025  # of mesh 3, in m
+REFINEMENTS = (1, 2, 4, 8)
+BENCH = ROOT / "build" / "bench" / "particle_loop.json"
+CALLGRIND = output_of(NAME) / "callgrind.out"
+KINDS = ("plane/triangles", "plane/quadrilaterals",
+         "axisymmetric/triangles", "axisymmetric/quadrilaterals")
+
+
+def discharge_run():
+    """With all outputs; the scene's interval is the program's default."""
+    return study_run(NAME, "discharge", SCENE, ())
+
+
+def start_run(refinement, particles_per_cell=4, with_output=False):
+    """The first steps from an unstressed start."""
+    steps = 10
+    time_step = 2.5e-4 / refinement
+    name = f"start-{refinement}-{particles_per_cell}"
+    if with_output:
+        name += "-output"
+    run = study_run(NAME, name, SCENE, (
+        ("Scene/Element size", ELEMENT_SIZE / refinement),
+        ("Scene/Particles per cell", particles_per_cell),
+        ("Static stage/Enabled", "false"),
+        ("Particle stage/Time step", time_step),
+        ("Particle stage/End time", steps * time_step)))
+    return run if with_output else run._replace(
+        settings=run.settings + WITHOUT_OUTPUT)
+
+
+def memory_runs(with_output):
+    """One mesh with few and with many particles."""
+    return [start_run(2, particles, with_output) for particles in (4, 16)]
+
+
+def counted_run():
+    """For valgrind, with the paper's step: what the benchmark measures."""
+    return study_run(NAME, "counted", SCENE, (
+        ("Static stage/Enabled", "false"),
+        ("Walls/Outlet lip", "floor"),
+        ("Particle stage/Time step", 2.5e-4),
+        ("Particle stage/End time", 0.025)))
+
+
+def count_instructions():
+    run = counted_run()
+    run.directory.mkdir(parents=True, exist_ok=True)
+    settings = [word for setting in run.settings + WITHOUT_OUTPUT
+                for word in ("-s", setting)]
+    subprocess.run(
+        ["valgrind", "--tool=callgrind",
+         f"--callgrind-out-file={CALLGRIND}",
+         "--toggle-collect=*ExplicitParticleStage*::step()",
+         str(ROOT / "build" / "release" / "sandglass"), str(run.prm),
+         "--quiet", "-o", str(run.directory), *settings],
+        check=True, capture_output=True)
+
+
+def make_runs():
+    """One after the other, for their times."""
+    for run in [discharge_run(), *memory_runs(False), *memory_runs(True),
+                *(start_run(refinement) for refinement in REFINEMENTS)]:
+        make(run)
+    count_instructions()
+
+
+def benchmarks():
+    """The counters of each benchmark by its name without settings."""
+    with open(BENCH, encoding="utf-8") as file:
+        return {re.sub("/iterations.*", "", entry["name"]): entry
+                for entry in json.load(file)["benchmarks"]}
+
+
+def results():
+    measured = benchmarks()
+    rows = []
+    for kind in KINDS:
+        plain = measured[f"beside_plain_loop/{kind}"]
+        rows.append({"kind": kind, "refinement": 1,
+                     "particles": plain["particles"],
+                     "ns_per_particle_step": plain["ns_per_particle_step"],
+                     "plain_over_stage": plain["plain_over_stage"],
+                     "time_over_mesh_3": 1,
+                     "bytes": plain["bytes_per_particle_step"],
+                     "filled_lanes": plain["filled_lanes"]})
+        for refinement in REFINEMENTS[1:]:
+            fine = measured[f"beside_mesh_3/{kind}/{refinement}"]
+            rows.append({"kind": kind, "refinement": refinement,
+                         "particles": fine["particles"],
+                         "ns_per_particle_step": fine["ns_per_particle_step"],
+                         "plain_over_stage": None,
+                         "time_over_mesh_3": fine["time_over_mesh_3"],
+                         "bytes": fine["bytes_per_particle_step"],
+                         "filled_lanes": fine["filled_lanes"]})
+    return rows
+
+
+def loop(rows):
+    lines = []
+    for kind in KINDS:
+        own = [row for row in rows if row["kind"] == kind]
+        lines.append([kind.replace("/", ", "),
+                      number(own[0]["ns_per_particle_step"], ".0f"),
+                      number(own[0]["plain_over_stage"], ".2f"),
+                      *(number(row["time_over_mesh_3"], ".2f")
+                        for row in own[1:]),
+                      f"{100 * own[0]['filled_lanes']:.0f} %"])
+    sizes = [f"elements of 1/{refinement}" for refinement in REFINEMENTS[1:]]
+    return markdown(["cells", "ns on mesh 3", "plain loop over stage",
+                     *sizes, "lanes filled"], lines)
+
+
+def instructions():
+    """In step(), per particle and step."""
+    total = re.search(r"^totals: (\d+)", CALLGRIND.read_text(), re.MULTILINE)
+    summary = run_output.read_summary(counted_run().directory)
+    return int(total.group(1)) / summary["particle_steps"]
+
+
+def limits(rows):
+    measured = benchmarks()
+    bandwidth = measured["limits/memory_bandwidth"]["bytes_per_second"]
+    arithmetic = measured["limits/vector_arithmetic"][
+        "vector_instructions_per_second"]
+    count = instructions()
+    lines = []
+    for row in rows[:len(REFINEMENTS)]:
+        seconds = 1e-9 * row["ns_per_particle_step"]
+        lines.append([f"{row['particles'] / 1000:.0f} 000",
+                      number(row["bytes"], ".0f"),
+                      f"{100 * row['bytes'] / seconds / bandwidth:.0f} %",
+                      number(count, ".0f"),
+                      number(count / seconds / arithmetic, ".2f")])
+    return markdown(["particles", "bytes", "of the memory's limit",
+                     "instructions", "instructions over the probe's"], lines)
+
+
+def memory_per_particle(with_output=False):
+    """In bytes, over the mesh's own."""
+    few, many = (run_output.read_summary(run.directory)
+                 for run in memory_runs(with_output))
+    return ((many["peak_rss_MiB"] - few["peak_rss_MiB"]) * 2**20 /
+            (many["particles"] - few["particles"]))
+
+
+def particle_memory(_):
+    return f"{memory_per_particle():.0f} bytes"
+
+
+def output_memory(_):
+    return f"{memory_per_particle(with_output=True):.0f} bytes"
+
+
+def element_memory(_):
+    """From two meshes, without the particles' share."""
+    small, large = (run_output.read_summary(start_run(refinement).directory)
+                    for refinement in (1, 4))
+    peak, particles, cells = (
+        large[key] - small[key]
+        for key in ("peak_rss_MiB", "particles", "cells"))
+    per_element = (peak * 2**20 - memory_per_particle() * particles) / cells
+    return f"{per_element / 1024:.1f} KiB"
+
+
+def whole_run(_):
+    summary = run_output.read_summary(discharge_run().directory)
+    discharge = summary["loop_seconds"]
+    return markdown(
+        ["part of the run", "share of the particle stage's time"],
+        [[title, f"{100 * summary[key] / discharge:.1f} %"]
+         for title, key in (("set-up", "setup_seconds"),
+                            ("static stage", "static_seconds"),
+                            ("output", "output_seconds"))])
+
+
+def set_up(_):
+    lines = []
+    for refinement in REFINEMENTS:
+        summary = run_output.read_summary(start_run(refinement).directory)
+        lines.append([summary["particles"], summary["cells"],
+                      number(1e6 * summary["setup_seconds"] /
+                             summary["cells"], ".0f"),
+                      number(1024 * summary["peak_rss_MiB"] /
+                             summary["particles"], ".2f")])
+    return markdown(["particles", "elements", "set-up, µs per element",
+                     "peak memory, KiB per particle, all included"], lines)
+
+
+def scaling(rows):
+    plane = rows[:len(REFINEMENTS)]
+    return scaling_model.table(statistics.median(
+        row["ns_per_particle_step"] for row in plane))
+
+
+def parts(rows):
+    return {part.__name__.replace("_", "-"): part(rows)
+            for part in (loop, limits, particle_memory, output_memory,
+                          element_memory, whole_run, set_up, scaling)}
+
+
+def draw(_):
+    """The page has no plot."""

@@ -1,0 +1,101 @@
+#ifndef sandglass_tests_benchmark_flowing_silo_h
+#define sandglass_tests_benchmark_flowing_silo_h
+
+#include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/scene/make_mesh.h>
+
+#include <sstream>
+
+#include "stage_fixture.h"
+
+/**
+ * The flat-bottomed silo of prm/paper/plane-flat-bottom-mesh-3.prm, plane or
+ * axisymmetric, of triangles or quadrilaterals, and on finer meshes. The
+ * material starts with the stress that its weight gives it, at rest; the
+ * paper's step in proportion to the element size.
+ */
+template <typename Setting>
+struct FlowingSilo : StageFixture
+{
+  using Geometry = Sandglass::CellGeometry<Setting::cell_type>;
+  using Point    = dealii::Point<Sandglass::dim>;
+
+  /// @param refinement  how often the elements of mesh 3 go into its edges.
+  explicit FlowingSilo(const unsigned int refinement)
+  {
+    Sandglass::SceneParameters silo;
+    silo.formulation  = Setting::formulation;
+    silo.cell_type    = Setting::cell_type;
+    silo.element_size = 0.025 / refinement;
+    formulation       = silo.formulation;
+
+    const double       time_step = 0.01 * silo.element_size; // Tables II, IV
+    std::ostringstream text;
+    text << time_step;
+    parameters.time_step_text = text.str();
+    parameters.end_time       = 1e3;
+    walls.outlet_lip          = Sandglass::WallParameters::OutletLip::floor;
+    start(make_mesh(silo, MPI_COMM_WORLD));
+    geometry = std::make_unique<Geometry>(*scene);
+    stage->set_initial_state(
+      [this](const unsigned int cell, const Point &reference_point) {
+        return state_at_rest(geometry->shape(cell).to_real(reference_point)[1]);
+      });
+  }
+
+  /// Take over the velocity of the flow on a coarser mesh.
+  void
+  take_velocity(const FlowingSilo &coarse)
+  {
+    unsigned int cell = 0;
+    stage->cloud.edit([&](auto &handler) {
+      for (auto &particle : handler)
+        {
+          const auto place =
+            coarse.geometry->find(particle.get_location(), cell);
+          cell                = place.cell;
+          const auto velocity = Sandglass::interpolate(
+            Sandglass::gather(coarse.stage->fields.mapped_velocity,
+                              coarse.geometry->nodes(cell)),
+            Geometry::Shape::shape_values(
+              Sandglass::pair_of(place.reference_point)));
+          std::copy(velocity.begin(),
+                    velocity.end(),
+                    particle.get_properties().begin() +
+                      Sandglass::Property::velocity);
+        }
+    });
+  }
+
+  void
+  run(const unsigned int n_steps)
+  {
+    for (unsigned int n = 0; n < n_steps; ++n)
+      stage->step();
+  }
+
+  unsigned int
+  n_particles() const
+  {
+    return stage->cloud.n_locally_owned_particles();
+  }
+
+  std::unique_ptr<Geometry> geometry;
+
+private:
+  /// @param y  height in m.
+  Sandglass::ParticleStage::InitialState
+  state_at_rest(const double y) const
+  {
+    constexpr double lateral_ratio = 0.5; // within the yield surface
+    const double     weight =
+      material.density * gravity.norm() * (scene->fill_top - y);
+    const double lateral  = -lateral_ratio * weight;
+    const double pressure = (1. + 2. * lateral_ratio) / 3. * weight;
+    const double bulk_modulus =
+      material.young_modulus / (3. * (1. - 2. * material.poisson_ratio));
+    return {{}, {lateral, -weight, lateral, 0.}, 1. - pressure / bulk_modulus};
+  }
+};
+
+#endif

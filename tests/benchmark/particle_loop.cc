@@ -1,0 +1,269 @@
+// The particle stage on the flat-bottomed silo in flow: beside a plain loop, on
+// finer meshes beside mesh 3, and the machine's limits.
+//
+// A machine that does other work as well makes times unreliable, so each is
+// measured in pairs, and the counters are the medians of the pairs: of the
+// ratio, and of the time itself. Processor time, not wall time.
+
+#include <deal.II/base/mpi.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "flowing_silo.h"
+#include "machine_limits.h"
+#include "plain_loop.h"
+
+namespace
+{
+  using namespace Sandglass;
+
+  /// Processor time of `function()` in ns.
+  template <typename Function>
+  double
+  measure(const Function &function)
+  {
+    const auto now = []() {
+      timespec time;
+      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+      return 1e9 * time.tv_sec + time.tv_nsec;
+    };
+    const double start = now();
+    function();
+    return now() - start;
+  }
+
+
+
+  double
+  median(std::vector<double> values)
+  {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+  }
+
+
+
+  /// Long enough to measure.
+  constexpr unsigned int particle_steps = 1000000;
+
+  template <typename Setting>
+  unsigned int
+  steps_to_measure(const FlowingSilo<Setting> &silo)
+  {
+    return std::max(4u, particle_steps / silo.n_particles());
+  }
+
+
+
+  /// ns per particle and step.
+  template <typename Setting>
+  double
+  measure(FlowingSilo<Setting> &silo, const unsigned int n_steps)
+  {
+    const unsigned long before = silo.stage->particle_steps;
+    const double        time   = measure([&]() { silo.run(n_steps); });
+    return time / (silo.stage->particle_steps - before);
+  }
+
+
+
+  /// What a step moves between processor and memory where no cache holds it,
+  /// per particle in bytes: blocks there and back; cells' shapes, nodes and
+  /// sums once for each of the three loops over cells.
+  template <typename Setting>
+  double
+  bytes_moved(const FlowingSilo<Setting> &silo, double &filled_lanes)
+  {
+    const ParticleBlocks &blocks  = silo.stage->cloud.blocks();
+    unsigned int          n_cells = 0, n_blocks = 0;
+    for_each_filled_cell(blocks, [&](const unsigned int cell) {
+      ++n_cells;
+      for (unsigned int block = blocks.first_block(cell);
+           block != ParticleBlocks::none;
+           block = blocks.next_block(block))
+        ++n_blocks;
+    });
+    filled_lanes = double(silo.n_particles()) / (Lanes::n * n_blocks);
+
+    using Geometry        = typename FlowingSilo<Setting>::Geometry;
+    const double per_cell = 3 * (sizeof(typename Geometry::Shape) +
+                                 2 * Geometry::Shape::n_nodes * sizeof(int)) +
+                            4 * sizeof(CellSums<Setting, double>);
+    return (n_blocks * 2. * sizeof(ParticleBlock) + n_cells * per_cell) /
+           silo.n_particles();
+  }
+
+
+
+  template <typename Setting>
+  void
+  report(benchmark::State           &state,
+         const FlowingSilo<Setting> &silo,
+         const std::vector<double>  &times)
+  {
+    double filled_lanes;
+    state.counters["particles"]                 = silo.n_particles();
+    state.counters["ns_per_particle_step"]      = median(times);
+    state.counters["particle_steps_per_second"] = 1e9 / median(times);
+    state.counters["bytes_per_particle_step"] = bytes_moved(silo, filled_lanes);
+    state.counters["filled_lanes"]            = filled_lanes;
+  }
+
+
+
+  double
+  kinetic_energy(const ParticleCloud::Handler &particles)
+  {
+    double energy = 0.;
+    for (const auto &particle : particles)
+      {
+        const double *state    = particle.get_properties().data();
+        const double *velocity = state + Property::velocity;
+        energy += 0.5 * state[Property::mass] *
+                  (velocity[0] * velocity[0] + velocity[1] * velocity[1]);
+      }
+    return energy;
+  }
+
+
+
+  /// Largest difference between the two loops' nodal sums over the largest
+  /// value of its kind, or between their energies.
+  template <typename Setting>
+  double
+  difference(const FlowingSilo<Setting> &silo, PlainLoop<Setting> &plain)
+  {
+    plain.sum_at_nodes();
+    const double energy = kinetic_energy(silo.stage->cloud.handler());
+    double result = std::abs(kinetic_energy(plain.handler) - energy) / energy;
+    for (const auto &[first, n] : {std::pair(NodalSum::mass, 1u),
+                                   std::pair(NodalSum::momentum, 2u),
+                                   std::pair(NodalSum::internal_force, 2u)})
+      {
+        double largest = 0., difference = 0.;
+        for (unsigned int node = 0; node < silo.scene->nodes->size(); ++node)
+          for (unsigned int c = first; c < first + n; ++c)
+            {
+              const double own   = silo.stage->fields.sums.at(node)[c];
+              const double other = plain.fields.sums.at(node)[c];
+              largest            = std::max(largest, std::abs(own));
+              difference         = std::max(difference, std::abs(own - other));
+            }
+        result = std::max(result, difference / largest);
+      }
+    return result;
+  }
+
+
+
+  template <typename Setting>
+  void
+  beside_plain_loop(benchmark::State &state)
+  {
+    FlowingSilo<Setting> silo(1);
+    PlainLoop<Setting>   plain(*silo.scene,
+                             silo.material,
+                             silo.walls,
+                             silo.stage->cloud.handler());
+    const auto           run_plain = [&](const unsigned int n_steps) {
+      for (unsigned int n = 0; n < n_steps; ++n)
+        plain.step(silo.parameters.time_steps[0].second);
+    };
+    // Before the flow lets rounding grow.
+    constexpr unsigned int n_steps_to_compare = 200, n_steps_to_flow = 1000;
+    silo.run(n_steps_to_compare);
+    run_plain(n_steps_to_compare);
+    state.counters["difference"] = difference(silo, plain);
+    if (!(state.counters["difference"] < 1e-9))
+      state.SkipWithError("the two loops' results differ");
+    silo.run(n_steps_to_flow);
+    run_plain(n_steps_to_flow);
+
+    const unsigned int  n_steps = steps_to_measure(silo);
+    std::vector<double> times, ratios;
+    for (auto _ : state)
+      {
+        const unsigned long before = silo.stage->particle_steps;
+        times.push_back(measure(silo, n_steps));
+        const double n_particle_steps = silo.stage->particle_steps - before;
+        const double plain_time       = measure([&]() { run_plain(n_steps); });
+        ratios.push_back(plain_time / n_particle_steps / times.back());
+        state.SetIterationTime(1e-9 * times.back());
+      }
+    report(state, silo, times);
+    state.counters["plain_over_stage"] = median(ratios);
+  }
+
+
+
+  template <typename Setting>
+  void
+  beside_mesh_3(benchmark::State &state)
+  {
+    FlowingSilo<Setting> mesh_3(1), silo(state.range(0));
+    mesh_3.run(1200);
+    silo.take_velocity(mesh_3);
+    silo.run(20);
+
+    std::vector<double> times, ratios;
+    for (auto _ : state)
+      {
+        times.push_back(measure(silo, steps_to_measure(silo)));
+        ratios.push_back(times.back() /
+                         measure(mesh_3, steps_to_measure(mesh_3)));
+        state.SetIterationTime(1e-9 * times.back());
+      }
+    report(state, silo, times);
+    state.counters["time_over_mesh_3"] = median(ratios);
+  }
+
+
+
+  template <Formulation formulation, CellType cell_type>
+  void
+  add_benchmarks(const std::string &name)
+  {
+    using Choice                   = Setting<formulation, cell_type>;
+    constexpr unsigned int n_pairs = 15;
+    benchmark::RegisterBenchmark(("beside_plain_loop/" + name).c_str(),
+                                 beside_plain_loop<Choice>)
+      ->UseManualTime()
+      ->Iterations(n_pairs);
+    benchmark::RegisterBenchmark(("beside_mesh_3/" + name).c_str(),
+                                 beside_mesh_3<Choice>)
+      ->UseManualTime()
+      ->Iterations(n_pairs)
+      ->Arg(2)
+      ->Arg(4)
+      ->Arg(8);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  add_benchmarks<Formulation::plane_strain, CellType::triangle>(
+    "plane/triangles");
+  add_benchmarks<Formulation::plane_strain, CellType::quadrilateral>(
+    "plane/quadrilaterals");
+  add_benchmarks<Formulation::axisymmetric, CellType::triangle>(
+    "axisymmetric/triangles");
+  add_benchmarks<Formulation::axisymmetric, CellType::quadrilateral>(
+    "axisymmetric/quadrilaterals");
+  benchmark::RegisterBenchmark("limits/memory_bandwidth",
+                               MachineLimits::memory_bandwidth);
+  benchmark::RegisterBenchmark("limits/vector_arithmetic",
+                               MachineLimits::vector_arithmetic);
+
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}

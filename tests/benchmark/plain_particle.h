@@ -1,0 +1,71 @@
+#ifndef sandglass_tests_benchmark_plain_particle_h
+#define sandglass_tests_benchmark_plain_particle_h
+
+#include <sandglass/particle_stage/nodal_fields.h>
+#include <sandglass/particles/particle_state.h>
+
+/// What the plain loop does for one particle of deal.II's ParticleHandler.
+namespace PlainParticle
+{
+  using namespace Sandglass;
+
+  template <typename Particle>
+  ParticleState<double>
+  state_of(const Particle &particle)
+  {
+    const auto &location   = particle.get_location();
+    const auto &reference  = particle.get_reference_location();
+    const auto  properties = particle.get_properties();
+    return load_state<double>([&](const unsigned int quantity) {
+      return quantity < ParticleBlock::reference ?
+               location[quantity] :
+             quantity < ParticleBlock::properties ?
+               reference[quantity - dim] :
+               properties[quantity - ParticleBlock::properties];
+    });
+  }
+
+  /// Add the particle's mass, momentum and internal force at its cell's nodes.
+  template <typename Setting, typename CellSums>
+  void
+  add_to_sums(const ParticleState<double>         &state,
+              const CellShape<Setting::cell_type> &shape,
+              CellSums                            &sums)
+  {
+    const auto   values    = shape.shape_values(state.reference);
+    const auto   gradients = shape.shape_gradients(state.reference);
+    const double volume    = state.volume();
+    const auto  &stress    = state.stress;
+    for (unsigned int i = 0; i < Setting::nodes_per_cell; ++i)
+      {
+        const double mass = state.mass * values[i];
+        sums[i][NodalSum::mass] += mass;
+        for (unsigned int d = 0; d < dim; ++d)
+          sums[i][NodalSum::momentum + d] += mass * state.velocity[d];
+
+        double       *force    = &sums[i][NodalSum::internal_force];
+        const double *gradient = gradients[i].data();
+        force[0] += volume * (stress[Component::xx] * gradient[0] +
+                              stress[Component::xy] * gradient[1]);
+        force[1] += volume * (stress[Component::xy] * gradient[0] +
+                              stress[Component::yy] * gradient[1]);
+        if constexpr (Setting::has_hoop_strain)
+          force[0] +=
+            volume * stress[Component::zz] * values[i] / state.location[0];
+      }
+  }
+
+  /// Store what steps 8 and 9 change.
+  template <typename Particle>
+  void
+  store_moved_state(const ParticleState<double> &state, Particle &particle)
+  {
+    const auto properties = particle.get_properties();
+    std::copy_n(state.stress.data(), 4, properties.begin() + Property::stress);
+    properties[Property::density] = state.density;
+    particle.set_location({state.location[0], state.location[1]});
+    particle.set_reference_location({state.reference[0], state.reference[1]});
+  }
+} // namespace PlainParticle
+
+#endif
