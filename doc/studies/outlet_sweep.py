@@ -14,8 +14,7 @@ from sweep_cases import (NAME, SILOS, VARIANTS, WINDOW, cases, outlet_time,
                          runs, sweep_run)
 from tables import markdown, number
 
-COLORS = {"floor": "#1d3557", "free": "#c9822a", "averaged": "#4a7c59",
-          "stiff": "#9b5094"}
+COLORS = {"floor": "#1d3557", "free": "#c9822a", "averaged": "#4a7c59"}
 FEWEST = 5  # widths for a fit
 CONFIDENCE = 0.95
 RATE = "flow_rate_kg_per_s"
@@ -55,7 +54,6 @@ def row_of(key, kind, outlet, seed):
     return {"silo": key, "variant": kind, "outlet_width_m": 2 * outlet,
             "seed": seed,
             "outlet_width_elements": 2 * outlet / silo.element,
-            "outlet_over_silo_width": outlet / silo.half_width,
             RATE: rate, "earlier_" + RATE: earlier, "later_" + RATE: later,
             # The formula's rate without grain size.
             "over_beverloo": rate / table["beverloo_0_kg_per_s"][0],
@@ -141,13 +139,12 @@ def rates(rows, key):
     unit = "kg/(s m)" if key == "plane" else "kg/s"
     lines = []
     for outlet in silo.outlets:
-        line = [f"{2 * outlet:g}", f"{2 * outlet / silo.element:g}",
-                f"{outlet / silo.half_width:.2f}"]
+        line = [f"{2 * outlet:g}", f"{2 * outlet / silo.element:g}"]
         for kind in VARIANTS:
             line += rate_cells([row for row in select(rows, key, kind)
                                 if row["outlet_width_m"] == 2 * outlet])
         lines.append(line)
-    head = ["outlet D, m", "D, elements", "D / silo's width"]
+    head = ["outlet D, m", "D, elements"]
     for variant in VARIANTS.values():
         head += [f"{variant.title}, {unit}", "over Beverloo's"]
     return markdown(head, lines)

@@ -19,7 +19,8 @@ namespace Sandglass
       {
         if (!scene.nodes->in_local_range(boundary.dof))
           continue;
-        Node node{scene.nodes->global_to_local(boundary.dof), boundary, {}, 0};
+        Node node{
+          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}, 0.};
         for (unsigned int s = 0; s < boundary.supports.size(); ++s)
           node.impulse[s] = {boundary.position,
                              boundary.supports[s].role,
@@ -166,7 +167,7 @@ namespace Sandglass
   {
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
-        const Node          &node = nodes[n];
+        const Node          &node   = nodes[n];
         const double        *mapped = mapped_velocity.at(node.index);
         const Tensor<1, dim> difference =
           Tensor<1, dim>({mapped[0], mapped[1]}) - node.end_velocity;

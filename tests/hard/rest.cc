@@ -94,8 +94,7 @@ TEST_P(Rest, WithoutGravityNothingMoves)
 
 
 // A penalty of 1e6 N/m^3, so that c_T times a cell is small against E. With the
-// default of 1e7 and the lumped mass matrix sticking friction feeds a tremor:
-// see the next test.
+// default of 1e7 rings of squares tremble: see the next test.
 TEST_P(Rest, AClosedSiloStaysForAMillionSteps)
 {
   silo.fixture.walls.tangential_penalty = 1e6;
@@ -112,28 +111,25 @@ TEST_P(Rest, AClosedSiloStaysForAMillionSteps)
 
 
 
-// With the default penalty the kinetic energy grows from 1e-9 to 1e-4 of the
-// potential one in these steps, and the elastic energy by 10 %, in axisymmetric
-// triangles to 4e-3 and by 70 %: material at rest creeps. A consistent mass
-// share of one half takes the tremor away.
-TEST_P(Rest, AStiffFrictionSpringMakesAClosedSiloTremble)
+// The springs of sticking friction have to follow v^L, with which the material
+// moves. Stretched by the nodes' velocity at the step's end instead, they make
+// the kinetic energy grow from 1e-9 to 1e-4 of the potential one in these
+// steps, and the elastic energy by 10 %, in axisymmetric triangles to 4e-3 and
+// by 70 %: material at rest creeps.
+TEST_P(Rest, AStiffFrictionSpringLeavesAClosedSiloAtRest)
 {
+  const auto [cell_type, formulation] = GetParam();
   start_closed();
   run_to_step(100000);
-  EXPECT_LT(largest_way(), 0.03);
-  EXPECT_LT(relative_kinetic_energy(), 0.01);
-}
-
-
-
-TEST_P(Rest, AConsistentMassShareTakesTheTremorAway)
-{
-  silo.fixture.parameters.consistent_mass_share = 0.5;
-  start_closed();
-  run_to_step(100000);
-  EXPECT_LT(largest_way(), 2e-4);
-  EXPECT_LT(relative_kinetic_energy(), 1e-12);
-  EXPECT_NEAR(relative_elastic_energy(), 1., 0.02);
+  // Rings of squares still tremble, for a reason not found yet.
+  const bool trembles = cell_type == CellType::quadrilateral &&
+                        formulation == Formulation::axisymmetric;
+  EXPECT_LT(largest_way(), trembles ? 0.03 : 2e-3);
+  EXPECT_LT(relative_kinetic_energy(), trembles ? 0.01 : 1e-9);
+  if (!trembles)
+    {
+      EXPECT_NEAR(relative_elastic_energy(), 1., 0.02);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

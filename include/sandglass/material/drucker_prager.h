@@ -81,7 +81,7 @@ namespace Sandglass
 
       // What is not a number stays so, or the run would go on with it unseen.
       const auto   is_separated = p <= Number(0.);
-      const auto   yields        = q_squared > q_yield * q_yield;
+      const auto   yields       = q_squared > q_yield * q_yield;
       const Number ratio =
         select(yields, q_yield / sqrt(q_squared), Number(1.));
       for (unsigned int c = 0; c < 4; ++c)

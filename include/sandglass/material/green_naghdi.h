@@ -18,7 +18,8 @@ namespace Sandglass
   struct GreenNaghdiRotation
   {
     StressRotation<double> step; ///< from the start of the step to its end
-    StressRotation<double> half; ///< half as far: from the step's middle to its end
+    StressRotation<double>
+      half; ///< half as far: from the step's middle to its end
 
     /**
      * @param before,after  in-plane deformation gradient F at the start and at

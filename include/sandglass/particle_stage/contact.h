@@ -152,7 +152,7 @@ namespace Sandglass
       BoundaryNode             boundary;
       std::array<WallForce, 2> impulse; ///< forces times time, in N s
       /// The supports that held it when apply() was called last.
-      unsigned int holding = 0;
+      unsigned int   holding = 0;
       Tensor<1, dim> end_velocity; ///< at the end of that step, in m/s
       double         time_step = 0.;
     };
