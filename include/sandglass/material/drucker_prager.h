@@ -79,17 +79,19 @@ namespace Sandglass
       const Number q_squared = Number(1.5) * double_contraction(s, s);
       const Number q_yield   = Number(yield_slope) * p;
 
-      // What is not a number stays so, or the run would go on with it unseen.
+      // Asked so that what is not a number yields, and spreads to all
+      // components: else one that no force feels would stay unseen.
       const auto   is_separated = p <= Number(0.);
-      const auto   yields       = q_squared > q_yield * q_yield;
+      const auto   is_elastic   = q_squared <= q_yield * q_yield;
       const Number ratio =
-        select(yields, q_yield / sqrt(q_squared), Number(1.));
+        select(is_elastic, Number(1.), q_yield / sqrt(q_squared));
       for (unsigned int c = 0; c < 4; ++c)
         {
           const Number normal = c == Component::xy ? Number(0.) : p;
-          stress[c]           = select(is_separated,
-                             Number(0.),
-                             select(yields, ratio * s[c] - normal, stress[c]));
+          stress[c] =
+            select(is_separated,
+                   Number(0.),
+                   select(is_elastic, stress[c], ratio * s[c] - normal));
         }
       // The plastic strain increment is (1 - ratio) s / (2 G).
       return select(is_separated,
