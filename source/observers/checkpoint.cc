@@ -29,11 +29,9 @@ namespace Sandglass
     {
       const ParticleBlocks &blocks = stage.cloud.blocks();
       std::vector<Parcel>   parcels;
-      for (const auto &cell : stage.cloud.owned_cells())
-        blocks.for_each_in_cell(cell->active_cell_index(),
-                                [&](const ParticleSlot &slot) {
-                                  parcels.push_back(blocks.parcel(slot));
-                                });
+      blocks.for_each([&](const ParticleSlot &slot) {
+        parcels.push_back(blocks.parcel(slot));
+      });
       // A resumed run sums over the particles anew; for the same rounding, so
       // does this one.
       stage.cloud.start_new_edition();

@@ -14,17 +14,15 @@ namespace Sandglass
     {
       const ParticleBlocks &blocks = stage.cloud.blocks();
       double                mass   = 0.;
-      for (const auto &cell : stage.cloud.owned_cells())
-        blocks.for_each_in_cell(
-          cell->active_cell_index(), [&](const ParticleSlot &slot) {
-            const ParticleBlock &block = blocks[slot.block];
-            const Point<dim>     location =
-              block.point(ParticleBlock::location, slot.lane);
-            if (location[1] >= 0. &&
-                location.distance_square(stage.initial_position(
-                  blocks.id(slot))) <= displacement * displacement)
-              mass += block.values[ParticleBlock::mass][slot.lane];
-          });
+      blocks.for_each([&](const ParticleSlot &slot) {
+        const ParticleBlock &block = blocks[slot.block];
+        const Point<dim>     location =
+          block.point(ParticleBlock::location, slot.lane);
+        if (location[1] >= 0. &&
+            location.distance_square(stage.initial_position(blocks.id(slot))) <=
+              displacement * displacement)
+          mass += block.values[ParticleBlock::mass][slot.lane];
+      });
       return mass;
     }
   } // namespace

@@ -20,7 +20,7 @@ namespace Sandglass
         if (!scene.nodes->in_local_range(boundary.dof))
           continue;
         Node node{
-          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}, 0.};
+          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}};
         for (unsigned int s = 0; s < boundary.supports.size(); ++s)
           node.impulse[s] = {boundary.position,
                              boundary.supports[s].role,
@@ -66,14 +66,13 @@ namespace Sandglass
           stops_velocity ? free_velocity : free_velocity - velocity;
         const unsigned int holding = holding_supports(node.boundary, approach);
         node.holding               = holding;
-        node.time_step             = time_step;
         Tensor<1, dim> end_velocity =
           free_velocity - approach +
           held_velocity(node.boundary, holding, approach);
         if (holding == 3 || node.boundary.is_fixed)
           record_normal_impulses(node, mass * (end_velocity - free_velocity));
         for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
-          if (holding == 1u << s && !node.boundary.is_fixed)
+          if (node.is_held_by_one(s))
             end_velocity +=
               wall_reaction(node,
                             memories[n][s],
@@ -163,7 +162,8 @@ namespace Sandglass
 
 
   void
-  Contact::stretch_friction(const NodalField<dim> &mapped_velocity)
+  Contact::stretch_friction(const NodalField<dim> &mapped_velocity,
+                            const double           time_step)
   {
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
@@ -174,12 +174,11 @@ namespace Sandglass
         for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
           {
             const NodeSupport &support = node.boundary.supports[s];
-            if (node.holding == 1u << s && !node.boundary.is_fixed &&
-                support.role != BoundaryRole::axis)
+            if (node.is_held_by_one(s) && support.role != BoundaryRole::axis)
               friction.stretch(memories[n][s],
                                difference * wall_tangent(support.normal),
                                support.tributary_area,
-                               node.time_step);
+                               time_step);
           }
       }
   }

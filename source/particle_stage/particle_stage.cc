@@ -43,14 +43,11 @@ namespace Sandglass
   ParticleStage::largest_speed() const
   {
     double largest = 0.;
-    for (const auto &cell : cloud.owned_cells())
-      cloud.blocks().for_each_in_cell(
-        cell->active_cell_index(), [&](const ParticleSlot &slot) {
-          const Point<dim> velocity =
-            cloud.blocks()[slot.block].point(ParticleBlock::velocity,
-                                             slot.lane);
-          largest = std::max(largest, velocity.square());
-        });
+    cloud.blocks().for_each([&](const ParticleSlot &slot) {
+      const Point<dim> velocity =
+        cloud.blocks()[slot.block].point(ParticleBlock::velocity, slot.lane);
+      largest = std::max(largest, velocity.square());
+    });
     return std::sqrt(largest);
   }
 

@@ -81,10 +81,7 @@ namespace
     unsigned int          n_cells = 0, n_blocks = 0;
     for_each_filled_cell(blocks, [&](const unsigned int cell) {
       ++n_cells;
-      for (unsigned int block = blocks.first_block(cell);
-           block != ParticleBlocks::none;
-           block = blocks.next_block(block))
-        ++n_blocks;
+      blocks.for_each_block_in_cell(cell, [&](unsigned int) { ++n_blocks; });
     });
     filled_lanes = double(silo.n_particles()) / (Lanes::n * n_blocks);
 

@@ -4,8 +4,11 @@
 #include <sandglass/observers/particle_totals.h>
 #include <sandglass/scene/make_mesh.h>
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 #include "../rest.h"
 #include "../stage_fixture.h"
@@ -88,6 +91,20 @@ struct SmallSilo
       result = result && std::isfinite(sum);
     });
     return result;
+  }
+
+  /// Let it flow: nothing may be lost, thrown out or not a number.
+  void
+  expect_sound_flow_until(const double time)
+  {
+    const double speed = run_until(time);
+    std::cout << "discharged " << discharged_share()
+              << ", largest speed / free fall " << speed << ", steps "
+              << fixture.stage->clock.step << std::endl;
+    EXPECT_TRUE(is_finite());
+    EXPECT_NEAR(mass_error(), 0., 1e-12);
+    EXPECT_EQ(totals().mass_lost, 0.);
+    EXPECT_LT(speed, 1.5);
   }
 
   StageFixture               fixture;

@@ -44,6 +44,10 @@ namespace Sandglass
     /// Whether the shape functions' gradients are constant in a cell.
     static constexpr bool has_constant_gradients =
       cell_type == CellType::triangle;
+
+    /// Whether all particles of a cell deform alike.
+    static constexpr bool has_uniform_strain =
+      has_constant_gradients && !has_hoop_strain;
   };
 } // namespace Sandglass
 

@@ -29,7 +29,7 @@ namespace Sandglass
       : elasticity(elasticity)
       , geometry(geometry)
     {
-      if (!is_uniform)
+      if (!Setting::has_uniform_strain)
         matrices.resize(geometry.n_cells());
     }
 
@@ -37,13 +37,12 @@ namespace Sandglass
     void
     assemble(const ParticleBlocks &blocks, const NodalSums<Setting> &cells)
     {
-      if constexpr (!is_uniform)
+      if constexpr (!Setting::has_uniform_strain)
         for_each_filled_cell(blocks, [&](const unsigned int cell) {
           matrices[cell].setZero();
           blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
             const auto state = load_state(blocks[slot.block], slot.lane);
-            if (state.density >= cells.smallest_stiff_density ||
-                state.stress[Component::yy] != 0.)
+            if (is_stiff(state, cells.smallest_stiff_density))
               add_particle(state, geometry.shape(cell), matrices[cell]);
           });
         });
@@ -65,7 +64,7 @@ namespace Sandglass
         const auto   &nodes         = geometry.nodes(cell);
         const OfNodes displacements = gather(field, nodes);
         OfNodes       forces;
-        if constexpr (is_uniform)
+        if constexpr (Setting::has_uniform_strain)
           forces = forces_of_uniform_strain(
             geometry.shape(cell),
             displacements,
@@ -81,10 +80,6 @@ namespace Sandglass
     }
 
   private:
-    /// On plane triangles all particles of a cell deform alike.
-    static constexpr bool is_uniform =
-      Setting::has_constant_gradients && !Setting::has_hoop_strain;
-
     static constexpr int n_dofs = dim * n_nodes;
     using Matrix                = Eigen::Matrix<double, n_dofs, n_dofs>;
     using Vector                = Eigen::Matrix<double, n_dofs, 1>;
@@ -115,12 +110,10 @@ namespace Sandglass
         volume * elasticity.stress(deformation.strain);
       OfNodes forces;
       for (unsigned int i = 0; i < n_nodes; ++i)
-        {
-          forces[i][0] = stress[Component::xx] * gradients[i][0] +
-                         stress[Component::xy] * gradients[i][1];
-          forces[i][1] = stress[Component::xy] * gradients[i][0] +
-                         stress[Component::yy] * gradients[i][1];
-        }
+        forces[i] = nodal_force(stress[Component::xx],
+                                stress[Component::yy],
+                                stress[Component::xy],
+                                gradients[i]);
       return forces;
     }
 
@@ -149,9 +142,10 @@ namespace Sandglass
       matrix += state.volume() * strains.transpose() * stresses;
     }
 
-    const Elasticity    elasticity;
-    const Geometry     &geometry;
-    std::vector<Matrix> matrices; ///< of each cell, unless is_uniform
+    const Elasticity elasticity;
+    const Geometry  &geometry;
+    std::vector<Matrix>
+      matrices; ///< of each cell, unless Setting::has_uniform_strain
   };
 } // namespace Sandglass
 

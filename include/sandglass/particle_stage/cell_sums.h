@@ -8,6 +8,31 @@
 namespace Sandglass
 {
   /**
+   * Whether particles resist: a particle without stress that is less dense than
+   * `smallest_density` (in kg/m^3) is separated.
+   */
+  template <typename Number>
+  auto
+  is_stiff(const ParticleState<Number> &state, const double smallest_density)
+  {
+    return (state.density >= Number(smallest_density)) |
+           (state.stress[Component::yy] != Number(0.));
+  }
+
+  /// Stress times a shape function's gradient: with stress times volume the
+  /// force on the function's node (eq. 9), in N.
+  template <typename Number, typename Gradient>
+  Pair<Number>
+  nodal_force(const Number   &xx,
+              const Number   &yy,
+              const Number   &xy,
+              const Gradient &gradient)
+  {
+    return {{xx * gradient[0] + xy * gradient[1],
+             xy * gradient[0] + yy * gradient[1]}};
+  }
+
+  /**
    * Steps 2 to 4 of Section 4.4, the particles' part: all that the nodes need
    * to know of a cell's particles, as sums over these.
    *
@@ -48,26 +73,17 @@ namespace Sandglass
       values.fill(Number(0.));
     }
 
-    /**
-     * Add particles.
-     *
-     * @param volume  of the particles in m^3; like their mass, 0 for those that
-     *                shall not count.
-     */
+    /// Add particles; those without mass don't count.
     void
     add(const ParticleState<Number> &state,
-        const Number                &particle_mass,
-        const Number                &volume,
         const double                 smallest_stiff_density,
         const Shape                 &shape)
     {
-      const auto shape_values = Shape::shape_values(state.reference);
-      add_mass_and_momentum(state.velocity, particle_mass, shape_values);
+      const auto   shape_values = Shape::shape_values(state.reference);
+      const Number volume       = state.volume();
+      add_mass_and_momentum(state, shape_values);
       values[stiff_volume] +=
-        select((state.density >= Number(smallest_stiff_density)) |
-                 (state.stress[Component::yy] != Number(0.)),
-               volume,
-               Number(0.));
+        select(is_stiff(state, smallest_stiff_density), volume, Number(0.));
       add_force(state, volume, shape_values, shape);
     }
 
@@ -104,10 +120,10 @@ namespace Sandglass
           const auto gradients = shape.shape_gradients(Pair<double>());
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
-              result[i][0] = values[force] * gradients[i][0] +
-                             values[force + 2] * gradients[i][1];
-              result[i][1] = values[force + 2] * gradients[i][0] +
-                             values[force + 1] * gradients[i][1];
+              result[i] = nodal_force(values[force],
+                                      values[force + 1],
+                                      values[force + 2],
+                                      gradients[i]);
               if constexpr (Setting::has_hoop_strain)
                 result[i][0] += values[hoop_force + i];
             }
@@ -128,17 +144,16 @@ namespace Sandglass
     }
 
     void
-    add_mass_and_momentum(const Pair<Number>                &velocity,
-                          const Number                      &particle_mass,
+    add_mass_and_momentum(const ParticleState<Number>       &state,
                           const std::array<Number, n_nodes> &shape_values)
     {
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
-          const Number share = particle_mass * shape_values[i];
+          const Number share = state.mass * shape_values[i];
           for (unsigned int j = i; j < n_nodes; ++j)
             values[mass_index(i, j)] += share * shape_values[j];
           for (unsigned int d = 0; d < dim; ++d)
-            values[momentum + dim * i + d] += share * velocity[d];
+            values[momentum + dim * i + d] += share * state.velocity[d];
         }
     }
 
@@ -174,9 +189,10 @@ namespace Sandglass
           const auto gradients = shape.shape_gradients(state.reference);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
-              Number *node_force = &values[force + dim * i];
-              node_force[0] += xx * gradients[i][0] + xy * gradients[i][1];
-              node_force[1] += xy * gradients[i][0] + yy * gradients[i][1];
+              Number    *node_force = &values[force + dim * i];
+              const auto of_stress  = nodal_force(xx, yy, xy, gradients[i]);
+              for (unsigned int d = 0; d < dim; ++d)
+                node_force[d] += of_stress[d];
               if constexpr (Setting::has_hoop_strain)
                 node_force[0] += hoop * shape_values[i];
             }

@@ -65,9 +65,12 @@ namespace Sandglass
      * with v^L and not with the nodes' velocity at the end of the step: what
      * the nodes' mass swings by between the two would otherwise stretch the
      * springs, and material at rest would tremble and creep.
+     *
+     * @param time_step  of this step, in s.
      */
     void
-    stretch_friction(const NodalField<dim> &mapped_velocity);
+    stretch_friction(const NodalField<dim> &mapped_velocity,
+                     const double           time_step);
 
     /**
      * Set to zero what a nodal field has in the directions in which apply() has
@@ -154,7 +157,13 @@ namespace Sandglass
       /// The supports that held it when apply() was called last.
       unsigned int   holding = 0;
       Tensor<1, dim> end_velocity; ///< at the end of that step, in m/s
-      double         time_step = 0.;
+
+      /// Whether this support and no other one held it; walls rub only then.
+      bool
+      is_held_by_one(const unsigned int support) const
+      {
+        return holding == 1u << support && !boundary.is_fixed;
+      }
     };
 
     /// Set to zero what the supports `holding(node, value)` hold of a nodal

@@ -63,7 +63,7 @@ namespace Sandglass
                               fields.acceleration,
                               clock.time_step,
                               fields.mapped_velocity);
-      solve_mapped_velocity(fields, mass_matrix, contact);
+      solve_mapped_velocity(fields, mass_matrix, contact, clock.time_step);
       // Steps 6, 8 and 9: velocity, stress, density and position
       volumetric_average.compute(cloud.blocks(),
                                  geometry,
@@ -85,9 +85,9 @@ namespace Sandglass
     double
     critical_time_step() override
     {
-      nodal_sums.compute(cloud.blocks());
-      nodal_sums.template scatter<true>(cloud.blocks(), fields.sums);
-      mass_matrix.assemble(cloud.blocks(), nodal_sums, fields.sums);
+      update_sums();
+      if (!parameters.has_automatic_time_step) // without stiffness so far
+        nodal_sums.template scatter<true>(cloud.blocks(), fields.sums);
       return find_critical_time_step();
     }
 
@@ -179,16 +179,13 @@ namespace Sandglass
     find_strays()
     {
       strays.clear();
-      for (const auto &cell : cloud.owned_cells())
-        cloud.blocks().for_each_in_cell(
-          cell->active_cell_index(), [&](const ParticleSlot &slot) {
-            const Point<dim> reference =
-              cloud.blocks()[slot.block].point(ParticleBlock::reference,
-                                               slot.lane);
-            if (!CellGeometry<Setting::cell_type>::is_inside(
-                  reference, Relocation<Setting::cell_type>::margin))
-              strays.push_back(slot);
-          });
+      cloud.blocks().for_each([&](const ParticleSlot &slot) {
+        const Point<dim> reference =
+          cloud.blocks()[slot.block].point(ParticleBlock::reference, slot.lane);
+        if (!CellGeometry<Setting::cell_type>::is_inside(
+              reference, Relocation<Setting::cell_type>::margin))
+          strays.push_back(slot);
+      });
       // The order that ParticleBlocks::remove() asks for.
       std::reverse(strays.begin(), strays.end());
     }

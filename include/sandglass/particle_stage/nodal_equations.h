@@ -84,7 +84,8 @@ namespace Sandglass
   void
   solve_mapped_velocity(NodalFields         &fields,
                         MassMatrix<Setting> &mass_matrix,
-                        Contact             &contact)
+                        Contact             &contact,
+                        const double         time_step)
   {
     mass_matrix.solve_lumped(fields.sums, fields.mapped_velocity);
     contact.constrain(fields.mapped_velocity);
@@ -96,7 +97,7 @@ namespace Sandglass
           fields.mapped_velocity);
         contact.constrain(fields.mapped_velocity);
       }
-    contact.stretch_friction(fields.mapped_velocity);
+    contact.stretch_friction(fields.mapped_velocity, time_step);
     fields.mapped_velocity.update_ghosts();
   }
 } // namespace Sandglass

@@ -39,17 +39,11 @@ namespace Sandglass
         for_each_filled_cell(blocks, [&](const unsigned int cell) {
           OfBlocks sums;
           sums.clear();
-          for (unsigned int block = blocks.first_block(cell);
-               block != ParticleBlocks::none;
-               block = blocks.next_block(block))
-            {
-              const ParticleState<Lanes> state = load_state(blocks[block]);
-              sums.add(state,
-                       state.mass,
-                       state.volume(),
-                       smallest_stiff_density,
-                       geometry.shape(cell));
-            }
+          blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+            sums.add(load_state(blocks[block]),
+                     smallest_stiff_density,
+                     geometry.shape(cell));
+          });
           sum_lanes(sums.values, cells[cell].values);
         });
       });
@@ -66,11 +60,7 @@ namespace Sandglass
             blocks.next_block(slot.block) == ParticleBlocks::none;
           if (is_first)
             cells[slot.cell].clear();
-          const ParticleState<double> state =
-            load_state(blocks[slot.block], slot.lane);
-          cells[slot.cell].add(state,
-                               state.mass,
-                               state.volume(),
+          cells[slot.cell].add(load_state(blocks[slot.block], slot.lane),
                                smallest_stiff_density,
                                geometry.shape(slot.cell));
         }

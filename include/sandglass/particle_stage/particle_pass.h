@@ -26,10 +26,6 @@ namespace Sandglass
     using Shape                           = CellShape<Setting::cell_type>;
     using Geometry                        = CellGeometry<Setting::cell_type>;
 
-    /// On plane triangles all particles of a cell deform alike.
-    static constexpr bool is_uniform =
-      Setting::has_constant_gradients && !Setting::has_hoop_strain;
-
     ParticlePass(const Geometry                     &geometry,
                  const StressUpdate<density_update> &stress_update,
                  const VolumetricAverage<Setting>   &volumetric_average,
@@ -89,44 +85,37 @@ namespace Sandglass
     {
       const Shape &shape = geometry.shape(cell);
       Deformations common;
-      if constexpr (is_uniform)
+      if constexpr (Setting::has_uniform_strain)
         common = deformations<double>(cell, shape, velocities, {}, {}, 1.);
 
       CellSums<Setting, Lanes> cell_sums;
       cell_sums.clear();
-      for (unsigned int block = blocks.first_block(cell);
-           block != ParticleBlocks::none;
-           block = blocks.next_block(block))
-        {
-          ParticleState<Lanes> state  = load_state(blocks[block]);
-          const auto           values = Shape::shape_values(state.reference);
-          accelerate(interpolate(accelerations, values), time_step, state);
+      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+        ParticleState<Lanes> state  = load_state(blocks[block]);
+        const auto           values = Shape::shape_values(state.reference);
+        accelerate(interpolate(accelerations, values), time_step, state);
 
-          const Pair<Lanes> velocity = interpolate(velocities, values);
-          if constexpr (!is_uniform)
-            common = deformations<Lanes>(cell,
-                                         shape,
-                                         velocities,
-                                         state.reference,
-                                         velocity,
-                                         state.location[0]);
-          const Lanes work_density = update_stress(common, state);
-          dissipation += state.volume() * work_density;
+        const Pair<Lanes> velocity = interpolate(velocities, values);
+        if constexpr (!Setting::has_uniform_strain)
+          common = deformations<Lanes>(cell,
+                                       shape,
+                                       velocities,
+                                       state.reference,
+                                       velocity,
+                                       state.location[0]);
+        const Lanes work_density = update_stress(common, state);
+        dissipation += state.volume() * work_density;
 
-          move(velocity, time_step, shape, state);
-          store_state(state, blocks[block]);
+        move(velocity, time_step, shape, state);
+        store_state(state, blocks[block]);
 
-          const auto is_inside =
-            Geometry::is_inside(state.reference, smallest_distance);
-          if (!all(is_inside))
-            add_strays(is_inside, {cell, block, 0}, blocks, strays);
-          const Lanes mass = select(is_inside, state.mass, Lanes(0.));
-          cell_sums.add(state,
-                        mass,
-                        mass / state.density,
-                        sums.smallest_stiff_density,
-                        shape);
-        }
+        const auto is_inside =
+          Geometry::is_inside(state.reference, smallest_distance);
+        if (!all(is_inside))
+          add_strays(is_inside, {cell, block, 0}, blocks, strays);
+        state.mass = select(is_inside, state.mass, Lanes(0.));
+        cell_sums.add(state, sums.smallest_stiff_density, shape);
+      });
       sum_lanes(cell_sums.values, sums[cell].values);
     }
 
@@ -138,8 +127,8 @@ namespace Sandglass
       ParticleDeformation<Number> averaged;
     };
 
-    using Deformations =
-      OwnAndAveraged<std::conditional_t<is_uniform, double, Lanes>>;
+    using Deformations = OwnAndAveraged<
+      std::conditional_t<Setting::has_uniform_strain, double, Lanes>>;
 
     template <typename Number>
     OwnAndAveraged<Number>

@@ -62,11 +62,8 @@ namespace Sandglass
       run_with_widest_vectors([&]() {
         for_each_filled_cell(blocks, [&](const unsigned int cell) {
           const auto &nodes = geometry.nodes(cell);
-          add_cell(blocks,
-                   blocks.first_block(cell),
-                   geometry.shape(cell),
-                   nodes,
-                   gather(velocity, nodes));
+          add_cell(
+            blocks, cell, geometry.shape(cell), nodes, gather(velocity, nodes));
         });
       });
       nodal->finish_sum();
@@ -98,23 +95,21 @@ namespace Sandglass
 
     void
     add_cell(const ParticleBlocks                    &blocks,
-             const unsigned int                       first_block,
+             const unsigned int                       cell,
              const Shape                             &shape,
              const std::array<unsigned int, n_nodes> &nodes,
              const CellValues<dim, n_nodes>          &velocities)
     {
       Lanes volumes(0.), rates_times_volumes(0.);
-      for (unsigned int block = first_block; block != ParticleBlocks::none;
-           block              = blocks.next_block(block))
-        {
-                       const ParticleState<Lanes> state = load_state(blocks[block]);
-                       const Lanes volume = select(state.density >= Lanes(smallest_density),
-                                      state.volume(),
-                                      Lanes(0.));
-                       volumes += volume;
-                       rates_times_volumes +=
-                         volume * volumetric_rate(shape, velocities, state);
-        }
+      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+        const ParticleState<Lanes> state = load_state(blocks[block]);
+        const Lanes volume = select(state.density >= Lanes(smallest_density),
+                                    state.volume(),
+                                    Lanes(0.));
+        volumes += volume;
+        rates_times_volumes +=
+          volume * volumetric_rate(shape, velocities, state);
+      });
       CellValues<n_sums, n_nodes> contributions;
       contributions.fill({{sum(volumes), sum(rates_times_volumes)}});
       scatter(contributions, nodes, *nodal);

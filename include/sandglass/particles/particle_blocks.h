@@ -165,6 +165,27 @@ namespace Sandglass
       return links[slot.block].ids[slot.lane];
     }
 
+    /// Call `function(block)` for the blocks of a cell along the chain.
+    template <typename Function>
+    void
+    for_each_block_in_cell(const unsigned int cell,
+                           const Function    &function) const
+    {
+      for (unsigned int block = first[cell]; block != none;
+           block              = links[block].next)
+        function(block);
+    }
+
+    /// Call `function(slot)` for all particles, cell by cell in the order of
+    /// for_each_in_cell().
+    template <typename Function>
+    void
+    for_each(const Function &function) const
+    {
+      for (unsigned int cell = 0; cell < first.size(); ++cell)
+        for_each_in_cell(cell, function);
+    }
+
     /**
      * Call `function(slot)` for the particles of a cell in the order in which
      * insert() stores them in the same way again.
