@@ -68,6 +68,16 @@ namespace Sandglass
       "Change of volume of a stressed particle: that of its cell (paper), or "
       "the average over the cells around it, without which linear cells lock "
       "under plastic flow that keeps the volume.");
+    add_selection<ForceIntegration>(
+      *this,
+      "Force integration",
+      force_integration,
+      {{"particles", ForceIntegration::particles},
+       {"cell", ForceIntegration::cell}},
+      "Volume over which the stress in a cell is integrated to the nodes' "
+      "forces: the particles' (paper), which changes whenever one crosses an "
+      "edge and so shakes the material and lowers its friction; or the cell's "
+      "own where particles fill it.");
     add_selection<DensityUpdate>(
       *this,
       "Density update",

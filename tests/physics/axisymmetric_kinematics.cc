@@ -86,7 +86,7 @@ namespace
       average.compute(fixture.stage->cloud.blocks(), geometry, velocity);
       const StressUpdate<DensityUpdate::paper> update(
         fixture.material.drucker_prager(), fixture.material.density);
-      NodalSums<CellSetting>    sums(geometry, 0.);
+      NodalSums<CellSetting>    sums(geometry, 0., ForceIntegration::particles);
       std::vector<ParticleSlot> strays;
       ParticlePass<CellSetting, DensityUpdate::paper, true>(
         geometry, update, average, StressIntegration::start_of_step, time_step)

@@ -45,6 +45,10 @@ namespace Sandglass
             if (is_stiff(state, cells.smallest_stiff_density))
               add_particle(state, geometry.shape(cell), matrices[cell]);
           });
+          const double volume =
+            cells[cell].values[CellSums<Setting, double>::stiff_volume];
+          if (volume > 0.)
+            matrices[cell] *= cells.stiff_volume(cell) / volume;
         });
     }
 
@@ -65,10 +69,9 @@ namespace Sandglass
         const OfNodes displacements = gather(field, nodes);
         OfNodes       forces;
         if constexpr (Setting::has_uniform_strain)
-          forces = forces_of_uniform_strain(
-            geometry.shape(cell),
-            displacements,
-            cells[cell].values[CellSums<Setting, double>::stiff_volume]);
+          forces = forces_of_uniform_strain(geometry.shape(cell),
+                                            displacements,
+                                            cells.stiff_volume(cell));
         else
           as_vector(forces) = matrices[cell] * as_vector(displacements);
         for (unsigned int i = 0; i < n_nodes; ++i)

@@ -56,13 +56,12 @@ namespace Sandglass
       mass         = 0, ///< sum of m N_i N_j for i <= j, row by row, in kg
       momentum     = mass + n_nodes * (n_nodes + 1) / 2, ///< m N_i V, kg m/s
       stiff_volume = momentum + dim * n_nodes, ///< of stressed particles, m^3
-      force        = stiff_volume + 1,         ///< see add_force()
-      hoop_force =
-        force + (Setting::has_constant_gradients ? 3 : dim * n_nodes),
-      n_sums =
-        hoop_force +
-        (Setting::has_hoop_strain && Setting::has_constant_gradients ? n_nodes :
-                                                                       0)
+      stress       = stiff_volume + 1, ///< times volume: xx, yy, xy; hoop
+      moment = stress + (Setting::has_hoop_strain ? 4 : 3), ///< mean_point()
+      force  = moment + (Setting::has_uniform_strain ? 0 : dim), ///< in N
+      n_sums = force + (Setting::has_uniform_strain     ? 0 :
+                        Setting::has_constant_gradients ? n_nodes :
+                                                          dim * n_nodes)
     };
 
     std::array<Number, n_sums> values;
@@ -82,8 +81,12 @@ namespace Sandglass
       const auto   shape_values = Shape::shape_values(state.reference);
       const Number volume       = state.volume();
       add_mass_and_momentum(state, shape_values);
-      values[stiff_volume] +=
+      const Number stressed_volume =
         select(is_stiff(state, smallest_stiff_density), volume, Number(0.));
+      values[stiff_volume] += stressed_volume;
+      if constexpr (!Setting::has_uniform_strain)
+        for (unsigned int d = 0; d < dim; ++d)
+          values[moment + d] += stressed_volume * state.reference[d];
       add_force(state, volume, shape_values, shape);
     }
 
@@ -110,7 +113,16 @@ namespace Sandglass
       return values[momentum + dim * i + d];
     }
 
-    /// Share of the internal force R (eq. 9) in N at each of the cell's nodes.
+    /// Mean reference coordinates of the stressed particles' volume.
+    Pair<Number>
+    mean_point() const
+    {
+      return {{values[moment] / values[stiff_volume],
+               values[moment + 1] / values[stiff_volume]}};
+    }
+
+    /// Share of the internal force R (eq. 9) in N at each of the cell's nodes,
+    /// integrated by the particles.
     CellValues<dim, n_nodes>
     internal_force(const Shape &shape) const
     {
@@ -120,12 +132,12 @@ namespace Sandglass
           const auto gradients = shape.shape_gradients(Pair<double>());
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
-              result[i] = nodal_force(values[force],
-                                      values[force + 1],
-                                      values[force + 2],
+              result[i] = nodal_force(values[stress],
+                                      values[stress + 1],
+                                      values[stress + 2],
                                       gradients[i]);
               if constexpr (Setting::has_hoop_strain)
-                result[i][0] += values[hoop_force + i];
+                result[i][0] += values[force + i];
             }
         }
       else
@@ -158,9 +170,9 @@ namespace Sandglass
     }
 
     /**
-     * Internal force: with constant gradients the stress times volume (xx, yy,
-     * xy), which the gradients multiply later, and with hoop strain that of
-     * the row N_i / x of B; otherwise the force at each node.
+     * Stress times volume, which constant gradients multiply later; where they
+     * are not constant, the force at each node; where they are, with hoop
+     * strain the part of the row N_i / x of B.
      */
     void
     add_force(const ParticleState<Number>       &state,
@@ -171,18 +183,22 @@ namespace Sandglass
       const Number xx = volume * state.stress[Component::xx];
       const Number yy = volume * state.stress[Component::yy];
       const Number xy = volume * state.stress[Component::xy];
-      Number       hoop(0.);
+      values[stress] += xx;
+      values[stress + 1] += yy;
+      values[stress + 2] += xy;
+      Number hoop(0.);
       if constexpr (Setting::has_hoop_strain)
-        hoop = volume * state.stress[Component::zz] / state.location[0];
+        {
+          const Number zz = volume * state.stress[Component::zz];
+          values[stress + 3] += zz;
+          hoop = zz / state.location[0];
+        }
 
       if constexpr (Setting::has_constant_gradients)
         {
-          values[force] += xx;
-          values[force + 1] += yy;
-          values[force + 2] += xy;
           if constexpr (Setting::has_hoop_strain)
             for (unsigned int i = 0; i < n_nodes; ++i)
-              values[hoop_force + i] += hoop * shape_values[i];
+              values[force + i] += hoop * shape_values[i];
         }
       else
         {

@@ -23,7 +23,8 @@ namespace Sandglass
       , unstressed_density(material.density)
       , stress_update(material.drucker_prager(), material.density)
       , nodal_sums(geometry,
-                   CellStiffness<Setting>::stiff_share * material.density)
+                   CellStiffness<Setting>::stiff_share * material.density,
+                   parameters.force_integration)
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , volumetric_average(
           *scene.nodes,

@@ -1,7 +1,7 @@
 #ifndef sandglass_particle_stage_nodal_sums_h
 #define sandglass_particle_stage_nodal_sums_h
 
-#include <sandglass/particle_stage/cell_sums.h>
+#include <sandglass/particle_stage/internal_force.h>
 
 namespace Sandglass
 {
@@ -25,9 +25,12 @@ namespace Sandglass
 
     /// @param smallest_stiff_density  of particles without stress that count as
     ///                                stiff, in kg/m^3.
-    NodalSums(const Geometry &geometry, const double smallest_stiff_density)
+    NodalSums(const Geometry        &geometry,
+              const double           smallest_stiff_density,
+              const ForceIntegration integration)
       : smallest_stiff_density(smallest_stiff_density)
       , geometry(geometry)
+      , internal_force(geometry, integration)
       , cells(geometry.n_cells())
     {}
 
@@ -81,7 +84,7 @@ namespace Sandglass
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
         const auto &nodes = geometry.nodes(cell);
         const auto &shape = geometry.shape(cell);
-        const auto  force = cells[cell].internal_force(shape);
+        const auto  force = internal_force.of_cell(cell, cells[cell]);
         for (unsigned int i = 0; i < n_nodes; ++i)
           {
             double *node_sums = sums.at(nodes[i]);
@@ -94,7 +97,7 @@ namespace Sandglass
               }
           }
         if constexpr (with_stiffness)
-          add_stiffness(cells[cell], shape, nodes, sums);
+          add_stiffness(cell, shape, nodes, sums);
       });
       sums.finish_sum();
     }
@@ -146,6 +149,13 @@ namespace Sandglass
       return energy;
     }
 
+    /// The volume in m^3 whose stiffness a cell has.
+    double
+    stiff_volume(const unsigned int cell) const
+    {
+      return internal_force.volume(cell, cells[cell]);
+    }
+
     OfCell &
     operator[](const unsigned int cell)
     {
@@ -176,26 +186,27 @@ namespace Sandglass
       return products;
     }
 
-    static void
-    add_stiffness(const OfCell                            &cell,
+    void
+    add_stiffness(const unsigned int                       cell,
                   const Shape                             &shape,
                   const std::array<unsigned int, n_nodes> &nodes,
-                  NodalField<NodalSum::n_components>      &sums)
+                  NodalField<NodalSum::n_components>      &sums) const
     {
       const Pair<double> middle{{1. / n_nodes, 1. / n_nodes}};
       const auto         gradients = shape.shape_gradients(middle);
-      const double       volume    = cell.values[OfCell::stiff_volume];
+      const double       volume    = stiff_volume(cell);
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
           double *node_sums = sums.at(nodes[i]);
-          node_sums[NodalSum::own_mass] += cell.mass_entry(i, i);
+          node_sums[NodalSum::own_mass] += cells[cell].mass_entry(i, i);
           node_sums[NodalSum::stiffness] +=
             volume * (gradients[i][0] * gradients[i][0] +
                       gradients[i][1] * gradients[i][1]);
         }
     }
 
-    const Geometry     &geometry;
+    const Geometry              &geometry;
+    const InternalForce<Setting> internal_force;
     std::vector<OfCell> cells; ///< of all cells; those of empty ones are old
   };
 } // namespace Sandglass

@@ -25,6 +25,13 @@ namespace Sandglass
     middle_of_step ///< second order; a rigid rotation leaves no strain
   };
 
+  /// Over which volume a cell's stress is integrated to nodal forces.
+  enum class ForceIntegration
+  {
+    particles, ///< the particles' volumes, as in the paper
+    cell       ///< the cell's own, where particles fill it
+  };
+
   /// Which change of volume a stressed particle feels.
   enum class VolumetricStrain
   {
@@ -52,6 +59,7 @@ namespace Sandglass
     double            consistent_mass_share = 0.;
     VolumetricStrain  volumetric_strain     = VolumetricStrain::element;
     StressIntegration stress_integration    = StressIntegration::start_of_step;
+    ForceIntegration  force_integration     = ForceIntegration::particles;
     DensityUpdate     density_update        = DensityUpdate::separation;
     OnLostParticle    on_lost_particle      = OnLostParticle::stop;
     double            largest_speed         = 10.;
