@@ -68,6 +68,7 @@ namespace Sandglass
       // Steps 6, 8 and 9: velocity, stress, density and position
       volumetric_average.compute(cloud.blocks(),
                                  geometry,
+                                 nodal_sums,
                                  fields.mapped_velocity);
       plastic_dissipation +=
         volumetric_average.is_on ? pass<true>() : pass<false>();

@@ -1,7 +1,7 @@
 #ifndef sandglass_particle_stage_nodal_sums_h
 #define sandglass_particle_stage_nodal_sums_h
 
-#include <sandglass/particle_stage/internal_force.h>
+#include <sandglass/particle_stage/cell_integration.h>
 
 namespace Sandglass
 {
@@ -30,7 +30,7 @@ namespace Sandglass
               const ForceIntegration integration)
       : smallest_stiff_density(smallest_stiff_density)
       , geometry(geometry)
-      , internal_force(geometry, integration)
+      , integration(geometry, integration)
       , cells(geometry.n_cells())
     {}
 
@@ -84,7 +84,7 @@ namespace Sandglass
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
         const auto &nodes = geometry.nodes(cell);
         const auto &shape = geometry.shape(cell);
-        const auto  force = internal_force.of_cell(cell, cells[cell]);
+        const auto  force = integration.force(cell, cells[cell]);
         for (unsigned int i = 0; i < n_nodes; ++i)
           {
             double *node_sums = sums.at(nodes[i]);
@@ -153,7 +153,7 @@ namespace Sandglass
     double
     stiff_volume(const unsigned int cell) const
     {
-      return internal_force.volume(cell, cells[cell]);
+      return integration.volume(cell, cells[cell]);
     }
 
     OfCell &
@@ -166,6 +166,14 @@ namespace Sandglass
     operator[](const unsigned int cell) const
     {
       return cells[cell];
+    }
+
+    /// See CellIntegration::rate_change().
+    typename CellIntegration<Setting>::RateChange
+    rate_change(const unsigned int              cell,
+                const CellValues<dim, n_nodes> &velocities) const
+    {
+      return integration.rate_change(cell, cells[cell], velocities);
     }
 
     const double smallest_stiff_density;
@@ -205,8 +213,8 @@ namespace Sandglass
         }
     }
 
-    const Geometry              &geometry;
-    const InternalForce<Setting> internal_force;
+    const Geometry                &geometry;
+    const CellIntegration<Setting> integration;
     std::vector<OfCell> cells; ///< of all cells; those of empty ones are old
   };
 } // namespace Sandglass

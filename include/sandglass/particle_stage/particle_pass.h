@@ -72,7 +72,8 @@ namespace Sandglass
     }
 
   private:
-    using OfNodes = CellValues<dim, n_nodes>;
+    using OfNodes    = CellValues<dim, n_nodes>;
+    using RateChange = typename CellIntegration<Setting>::RateChange;
 
     void
     run_in_cell(ParticleBlocks            &blocks,
@@ -85,8 +86,11 @@ namespace Sandglass
     {
       const Shape &shape = geometry.shape(cell);
       Deformations common;
+      RateChange   change;
       if constexpr (Setting::has_uniform_strain)
-        common = deformations<double>(cell, shape, velocities, {}, {}, 1.);
+        common = deformations<double>(cell, shape, velocities, {}, {}, 1., {});
+      else
+        change = sums.rate_change(cell, velocities);
 
       CellSums<Setting, Lanes> cell_sums;
       cell_sums.clear();
@@ -102,7 +106,8 @@ namespace Sandglass
                                        velocities,
                                        state.reference,
                                        velocity,
-                                       state.location[0]);
+                                       state.location[0],
+                                       change);
         const Lanes work_density = update_stress(common, state);
         dissipation += state.volume() * work_density;
 
@@ -137,15 +142,20 @@ namespace Sandglass
                  const OfNodes      &velocities,
                  const Pair<Number> &reference,
                  const Pair<Number> &velocity,
-                 const Number       &radius) const
+                 const Number       &radius,
+                 const RateChange   &change) const
     {
       auto gradient = gradient_of(velocities, shape.shape_gradients(reference));
-      for (auto &row : gradient)
-        for (auto &entry : row)
-          entry *= time_step;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          {
+            if constexpr (!Setting::has_uniform_strain)
+              gradient[d][e] += change.gradient[d][e];
+            gradient[d][e] *= time_step;
+          }
       Number hoop(0.);
       if constexpr (Setting::has_hoop_strain)
-        hoop = time_step * velocity[0] / radius;
+        hoop = time_step * (velocity[0] / radius + change.hoop);
       const DeformationIncrement<Number> increment(gradient, hoop, integration);
 
       OwnAndAveraged<Number> result;

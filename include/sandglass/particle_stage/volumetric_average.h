@@ -52,18 +52,23 @@ namespace Sandglass
      * nothing if it is off.
      */
     void
-    compute(const ParticleBlocks  &blocks,
-            const Geometry        &geometry,
-            const NodalField<dim> &velocity)
+    compute(const ParticleBlocks     &blocks,
+            const Geometry           &geometry,
+            const NodalSums<Setting> &sums,
+            const NodalField<dim>    &velocity)
     {
       if (!is_on)
         return;
       nodal->start_sum();
       run_with_widest_vectors([&]() {
         for_each_filled_cell(blocks, [&](const unsigned int cell) {
-          const auto &nodes = geometry.nodes(cell);
+          const auto &nodes      = geometry.nodes(cell);
+          const auto  velocities = gather(velocity, nodes);
+          double      change     = 0.;
+          if constexpr (!Setting::has_uniform_strain)
+            change = sums.rate_change(cell, velocities).volumetric();
           add_cell(
-            blocks, cell, geometry.shape(cell), nodes, gather(velocity, nodes));
+            blocks, cell, geometry.shape(cell), nodes, velocities, change);
         });
       });
       nodal->finish_sum();
@@ -98,7 +103,8 @@ namespace Sandglass
              const unsigned int                       cell,
              const Shape                             &shape,
              const std::array<unsigned int, n_nodes> &nodes,
-             const CellValues<dim, n_nodes>          &velocities)
+             const CellValues<dim, n_nodes>          &velocities,
+             const double                             rate_change)
     {
       Lanes volumes(0.), rates_times_volumes(0.);
       blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
@@ -108,7 +114,8 @@ namespace Sandglass
                                     Lanes(0.));
         volumes += volume;
         rates_times_volumes +=
-          volume * volumetric_rate(shape, velocities, state);
+          volume *
+          (volumetric_rate(shape, velocities, state) + Lanes(rate_change));
       });
       CellValues<n_sums, n_nodes> contributions;
       contributions.fill({{sum(volumes), sum(rates_times_volumes)}});

@@ -12,7 +12,7 @@ namespace
   using Case = std::tuple<CellType, Formulation>;
 
   /// Sixteen particles of a uniform stress in each cell, displaced at random.
-  class InternalForceTest : public testing::TestWithParam<Case>
+  class CellIntegrationTest : public testing::TestWithParam<Case>
   {
   protected:
     /// @param volume_ratio  of the particles to the cells.
@@ -98,7 +98,7 @@ namespace
 
 // The particles' own integral is off where some have crossed edges. In rings
 // the cells' is off by squares of cell over radius.
-TEST_P(InternalForceTest, OfAUniformStressVanishesInside)
+TEST_P(CellIntegrationTest, ForceOfAUniformStressVanishesInside)
 {
   start(ForceIntegration::particles, 1.);
   const double of_particles = largest_force();
@@ -164,7 +164,7 @@ TEST(CellIntegrals, OfGradientsAreTheEdges)
 
 INSTANTIATE_TEST_SUITE_P(
   Settings,
-  InternalForceTest,
+  CellIntegrationTest,
   testing::Combine(testing::Values(CellType::triangle, CellType::quadrilateral),
                    testing::Values(Formulation::plane_strain,
                                    Formulation::axisymmetric)));

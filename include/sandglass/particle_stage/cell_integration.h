@@ -1,0 +1,185 @@
+#ifndef sandglass_particle_stage_cell_integration_h
+#define sandglass_particle_stage_cell_integration_h
+
+#include <sandglass/particle_stage/cell_sums.h>
+#include <sandglass/particle_stage/particle_stage_parameters.h>
+#include <sandglass/particles/cell_geometry.h>
+#include <sandglass/particles/cell_integrals.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * How the stress in a cell is integrated to the nodes' internal forces (eq.
+   * 9), by either ForceIntegration.
+   *
+   * The particles' volumes do not fill a cell evenly. With n particles in a
+   * cell one that crosses an edge changes the force by 1/n of the stress times
+   * the edge, which in finer meshes grows as 1/h beside the cell's weight. This
+   * noise shakes the material, and shaken material has less friction
+   * (doc/integration.md).
+   *
+   * With ForceIntegration::cell the mean of the particles' stress is integrated
+   * over the cell itself, and only the deviations from that mean by the
+   * particles; in plane triangles these cancel. That is the mixed integration
+   * of Al-Kafaji (2013), but for its switch between full and other cells: here
+   * the share w of a cell's own integral grows smoothly with the volume ratio r
+   * of its stressed particles, w = 1 - (1 - r)^2 up to r = 1. What is left of
+   * the particles' integral serves free surfaces.
+   *
+   * The particles' mean strain is exchanged in the same way, so that forces and
+   * strains belong to one energy: otherwise the stiffness is not symmetric, and
+   * sparsely filled quadrilaterals near the axis throw particles out.
+   */
+  template <typename Setting>
+  class CellIntegration
+  {
+  public:
+    static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
+    using Shape                           = CellShape<Setting::cell_type>;
+    using Geometry                        = CellGeometry<Setting::cell_type>;
+    using Sums                            = CellSums<Setting, double>;
+    using OfNodes                         = CellValues<dim, n_nodes>;
+
+    CellIntegration(const Geometry        &geometry,
+                    const ForceIntegration integration)
+      : geometry(geometry)
+    {
+      if (integration == ForceIntegration::cell)
+        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+          integrals.push_back(
+            integrate_over(geometry.shape(cell), Setting::formulation));
+    }
+
+    /// The volume in m^3 over which stress is integrated in a cell.
+    double
+    volume(const unsigned int cell, const Sums &sums) const
+    {
+      const double of_particles = sums.values[Sums::stiff_volume];
+      return integrals.empty() ?
+               of_particles :
+               of_particles + filling(cell, of_particles) *
+                                (integrals[cell].volume - of_particles);
+    }
+
+    /// Share of the internal force R in N at each of the cell's nodes.
+    OfNodes
+    force(const unsigned int cell, const Sums &sums) const
+    {
+      OfNodes      result       = sums.internal_force(geometry.shape(cell));
+      const double of_particles = sums.values[Sums::stiff_volume];
+      if (integrals.empty() || !(of_particles > 0.))
+        return result;
+
+      if constexpr (Setting::has_uniform_strain)
+        {
+          const double factor = volume(cell, sums) / of_particles;
+          for (auto &node_force : result)
+            for (double &component : node_force)
+              component *= factor;
+        }
+      else
+        {
+          const double *stress = &sums.values[Sums::stress];
+          const Weights weights =
+            exchange(cell, sums, integrals[cell].volume / of_particles);
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              const auto of_stress = nodal_force(stress[0],
+                                                 stress[1],
+                                                 stress[2],
+                                                 weights.gradients[i]);
+              for (unsigned int d = 0; d < dim; ++d)
+                result[i][d] += of_stress[d];
+              if constexpr (Setting::has_hoop_strain)
+                result[i][0] += stress[3] * weights.values_over_radius[i];
+            }
+        }
+      return result;
+    }
+
+    /// What is added to all particles' velocity gradients and hoop rates.
+    struct RateChange
+    {
+      std::array<Pair<double>, dim> gradient{}; ///< in 1/s
+      double                        hoop = 0.;  ///< in 1/s
+
+      double
+      volumetric() const
+      {
+        return gradient[0][0] + gradient[1][1] + hoop;
+      }
+    };
+
+    /// @param velocities  of the cell's nodes, in m/s.
+    RateChange
+    rate_change(const unsigned int cell,
+                const Sums        &sums,
+                const OfNodes     &velocities) const
+    {
+      RateChange change;
+      if (integrals.empty() || !(sums.values[Sums::stiff_volume] > 0.))
+        return change;
+      const Weights weights = exchange(cell, sums, 1.);
+      change.gradient       = gradient_of(velocities, weights.gradients);
+      if constexpr (Setting::has_hoop_strain)
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          change.hoop += velocities[i][0] * weights.values_over_radius[i];
+      return change;
+    }
+
+  private:
+    /// Of nodes: of the rows of B.
+    struct Weights
+    {
+      std::array<Pair<double>, n_nodes> gradients;          ///< in 1/m
+      std::array<double, n_nodes>       values_over_radius; ///< in 1/m
+    };
+
+    /// w in 0 to 1; cells that are more than full count as full.
+    double
+    filling(const unsigned int cell, const double volume_of_particles) const
+    {
+      const double empty =
+        std::max(0., 1. - volume_of_particles / integrals[cell].volume);
+      return 1. - empty * empty;
+    }
+
+    /// w times the mean over the cell, times a factor, less what takes the
+    /// place of the particles' mean: the value at their mean point.
+    Weights
+    exchange(const unsigned int cell,
+             const Sums        &sums,
+             const double       factor) const
+    {
+      const Shape &shape     = geometry.shape(cell);
+      const auto  &integral  = integrals[cell];
+      const double w         = filling(cell, sums.values[Sums::stiff_volume]);
+      const double of_cell   = w * factor / integral.volume;
+      const auto   point     = sums.mean_point();
+      const auto   gradients = shape.shape_gradients(point);
+
+      Weights result;
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          result.gradients[i][d] =
+            of_cell * integral.gradients[i][d] - w * gradients[i][d];
+      if constexpr (Setting::has_hoop_strain)
+        {
+          const auto   values = Shape::shape_values(point);
+          const double radius =
+            shape.to_real(Point<dim>(point[0], point[1]))[0];
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            result.values_over_radius[i] =
+              of_cell * integral.values_over_radius[i] - w * values[i] / radius;
+        }
+      return result;
+    }
+
+    const Geometry                                &geometry;
+    std::vector<CellIntegrals<Setting::cell_type>> integrals; ///< none: not on
+  };
+} // namespace Sandglass
+
+#endif
