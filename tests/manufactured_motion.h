@@ -168,13 +168,16 @@ public:
   /// Courant number C dt / h, with the squares' side h.
   static constexpr double courant_number = 0.3;
 
+  /// @param relative_pressure  over the largest uniaxial stress; less than 1.6
+  ///                           doesn't keep the material elastic.
   ManufacturedRun(const ManufacturedMotion &motion,
                   const Sandglass::CellType cell_type,
                   const unsigned int        n_cells,
-                  const unsigned int        particles_per_cell)
+                  const unsigned int        particles_per_cell,
+                  const double              relative_pressure = 2.)
     : motion(motion)
     // An even pressure that keeps the material within the cone
-    , initial_pressure(2. * motion.pi * motion.amplitude *
+    , initial_pressure(relative_pressure * motion.pi * motion.amplitude *
                        motion.elasticity.confined_modulus())
   {
     using namespace Sandglass;

@@ -7,102 +7,14 @@
 #include <cmath>
 #include <iostream>
 
-#include "random_engine.h"
-#include "rectangle_mesh.h"
+#include "../manufactured_settlement.h"
+#include "../random_engine.h"
+#include "../rectangle_mesh.h"
 
 using namespace Sandglass;
 
 namespace
 {
-  constexpr double pi = numbers::PI;
-
-  /**
-   * Settlement of a unit square, or of a cylinder of radius and height 1,
-   * between smooth side walls and on a smooth floor, with a free surface:
-   *
-   *     u_x =  A b sin(pi x) f(y),               f = (1 - y^2)^2
-   *     u_y = -A (g(y) + a cos(pi x) h(y)),      g = y - y^2 / 2,
-   *                                              h = y (1 - y)^2
-   *
-   * Normal displacement and shear stress vanish at the three walls, and all
-   * stresses at y = 1, for any elastic constants. It is compressed everywhere,
-   * as a material without cohesion must be; a and b make it uneven.
-   *
-   * The amplitude is so small that what the stage has beside linear elasticity,
-   * rotation of the stress and the moved mesh, is far below the error of any
-   * mesh: it changes the result by about A.
-   */
-  struct Settlement
-  {
-    static constexpr double amplitude = 1e-6, a = 0.2, b = 0.05;
-
-    Tensor<1, 2>
-    displacement(const Point<2> &point) const
-    {
-      const double x = point[0], y = point[1];
-      return amplitude *
-             Tensor<1, 2>({b * std::sin(pi * x) * std::pow(1. - y * y, 2),
-                           y * y / 2. - y -
-                             a * std::cos(pi * x) * y * std::pow(1. - y, 2)});
-    }
-
-    /// Entry (i, j) is the derivative of u_i with respect to x_j.
-    Tensor<2, 2>
-    gradient(const Point<2> &point) const
-    {
-      const double x = point[0], y = point[1];
-      const double sine = std::sin(pi * x), cosine = std::cos(pi * x);
-      Tensor<2, 2> result;
-      result[0][0] = b * pi * cosine * std::pow(1. - y * y, 2);
-      result[0][1] = -4. * b * sine * y * (1. - y * y);
-      result[1][0] = a * pi * sine * y * std::pow(1. - y, 2);
-      result[1][1] = y - 1. - a * cosine * (1. - y) * (1. - 3. * y);
-      return amplitude * result;
-    }
-
-    SymmetricTensor4
-    stress(const Point<2> &point) const
-    {
-      const Tensor<2, 2> H    = gradient(point);
-      const double       hoop = formulation == Formulation::axisymmetric ?
-                                  displacement(point)[0] / point[0] :
-                                  0.;
-      return elasticity.stress(
-        SymmetricTensor4(H[0][0], H[1][1], hoop, (H[0][1] + H[1][0]) / 2.));
-    }
-
-    /// What holds it in equilibrium, in m/s^2: minus the divergence of the
-    /// stress over the density, from differences whose error is 1e-7 of it.
-    Tensor<1, 2>
-    body_force(const Point<2> &point) const
-    {
-      constexpr double distance   = 1e-4;
-      const auto       derivative = [&](const unsigned int direction) {
-        Point<2> before = point, after = point;
-        before[direction] -= distance;
-        after[direction] += distance;
-        return SymmetricTensor4((stress(after) - stress(before)) /
-                                (2. * distance));
-      };
-      const SymmetricTensor4 along_x = derivative(0), along_y = derivative(1);
-      Tensor<1, 2>           divergence(
-        {along_x[Component::xx] + along_y[Component::xy],
-                   along_x[Component::xy] + along_y[Component::yy]});
-      if (formulation == Formulation::axisymmetric)
-        {
-          const SymmetricTensor4 here = stress(point);
-          divergence[0] +=
-            (here[Component::xx] - here[Component::zz]) / point[0];
-          divergence[1] += here[Component::xy] / point[0];
-        }
-      return -1. / density * divergence;
-    }
-
-    Formulation formulation;
-    Elasticity  elasticity{1e6, 0.3};
-    double      density = 1500.;
-  };
-
   /// Root mean squares over the body's volume, relative to those of what they
   /// are errors of.
   struct Errors
@@ -112,12 +24,12 @@ namespace
 
   /// The static stage's own solver and contact with that body force; only
   /// StaticStage itself, which chooses load steps, has no part in it.
-  class ManufacturedSettlement
+  class SettlementRun
   {
   public:
-    ManufacturedSettlement(const Formulation  formulation,
-                           const CellType     cell_type,
-                           const unsigned int n_cells)
+    SettlementRun(const Formulation  formulation,
+                  const CellType     cell_type,
+                  const unsigned int n_cells)
       : exact{formulation}
       , scene(mesh(cell_type, n_cells),
               formulation,
@@ -126,7 +38,7 @@ namespace
               MPI_COMM_WORLD)
       , grid(scene)
       // As steep as a cone can be, so that it isn't met.
-      , material(exact.elasticity, pi / 2.)
+      , material(exact.elasticity, numbers::PI / 2.)
       , equilibrium(grid,
                     formulation,
                     material,
@@ -267,16 +179,16 @@ namespace
       }
     };
 
-    ClearedParameters     cleared;
-    WallParameters        walls;
-    StaticStageParameters parameters;
-    const Settlement      exact;
-    Scene                 scene;
-    FilledGrid            grid;
-    DruckerPrager         material;
-    Equilibrium           equilibrium;
-    WallContact           contact;
-    NewtonSolver          solver;
+    ClearedParameters            cleared;
+    WallParameters               walls;
+    StaticStageParameters        parameters;
+    const ManufacturedSettlement exact;
+    Scene                        scene;
+    FilledGrid                   grid;
+    DruckerPrager                material;
+    Equilibrium                  equilibrium;
+    WallContact                  contact;
+    NewtonSolver                 solver;
   };
 
   class ManufacturedStatic
@@ -289,11 +201,11 @@ namespace
 TEST_P(ManufacturedStatic, ConvergesWithTheOrdersOfLinearElements)
 {
   const auto [formulation, cell_type] = GetParam();
-  Errors coarse = ManufacturedSettlement(formulation, cell_type, 8).errors();
+  Errors coarse = SettlementRun(formulation, cell_type, 8).errors();
   for (const unsigned int n_cells : {16, 32, 64})
     {
       const Errors fine =
-        ManufacturedSettlement(formulation, cell_type, n_cells).errors();
+        SettlementRun(formulation, cell_type, n_cells).errors();
       const double displacement_order =
         std::log2(coarse.displacement / fine.displacement);
       const double gradient_order = std::log2(coarse.gradient / fine.gradient);
