@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Cells,
 
 
 
-// What the averaging is for: without it linear triangles carry 1.14 times the
+// What the averaging is for: without it linear triangles carry 1.15 times the
 // limit.
 TEST(Footing, LocksOnParallelTrianglesWithTheElementsVolumetricStrain)
 {
