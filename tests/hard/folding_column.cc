@@ -201,20 +201,22 @@ TEST_P(FoldingColumnTest, StaysWhole)
   EXPECT_TRUE(course.is_finite);
   EXPECT_FALSE(course.is_broken);
   EXPECT_LT(course.mass_change, 1e-12);
-  EXPECT_LT(course.energy_growth, 1e-3);
+  EXPECT_LT(course.energy_growth, 1e-4);
   EXPECT_LT(course.filling, 1.3);
   EXPECT_GT(course.folding, 0.4); // more than half a wave: it has folded
 }
 
 
 
-TEST_P(FoldingColumnTest, BreaksAtFourTimesTheCriticalStep)
+// That these bounds can be missed: 5 % above the critical step some are, and
+// half above it the energy has grown by 0.4 to 3 of what there was when
+// particles leave the grid.
+TEST_P(FoldingColumnTest, GainsEnergyAboveTheCriticalStep)
 {
   FoldingColumn column(std::get<0>(GetParam()), std::get<1>(GetParam()));
-  column.set_time_step(4. * column.fixture.stage->critical_time_step());
+  column.set_time_step(1.5 * column.fixture.stage->critical_time_step());
   const Course course = run(column, 2.);
-  EXPECT_TRUE(course.is_broken || !course.is_finite ||
-              course.energy_growth > 1e-2 || course.filling > 1.5);
+  EXPECT_GT(course.energy_growth, 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(
