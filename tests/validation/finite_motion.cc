@@ -22,12 +22,13 @@ namespace
       const ManufacturedMotion motion{formulation,
                                       ManufacturedMotion::Form::axis_aligned,
                                       0.02};
-      const MotionErrors       result =
-        ManufacturedRun(motion, cell_type, n_cells, n_particles).run();
+      ManufacturedRun          run(motion, cell_type, n_cells, n_particles);
+      const MotionErrors       result = run.run();
       std::cout << n_cells << " cells, " << n_particles
                 << " particles per cell: displacement error "
                 << result.displacement << ", stress error " << result.stress
-                << std::endl;
+                << ", plastic work / J "
+                << run.fixture.stage->plastic_dissipation << std::endl;
       return result;
     }
   };
@@ -65,7 +66,7 @@ TEST_P(FiniteMotion, ConvergesOnlyWithMoreParticlesPerCell)
 
 // While particles stay in their cells, their volume follows the strain but the
 // cell's does not, so that an even pressure gives forces where the strain
-// changes: a stiffness of the pressure's size that the material doesn't have.
+// changes, as from a stiffness that the material doesn't have.
 // Its share of the displacement is the pressure's over lambda + 2 G, whatever
 // the mesh.
 TEST_P(FiniteMotion, HasAStiffnessFromAnEvenPressure)
