@@ -7,7 +7,8 @@
 
 /**
  * A rectangle of n_x times n_y squares, each one quadrilateral or two triangles
- * whose diagonals alternate; roles of its sides, and which cells are filled.
+ * whose diagonals alternate or are parallel; roles of its sides, and which
+ * cells are filled.
  */
 struct Rectangle
 {
@@ -18,7 +19,9 @@ struct Rectangle
   Point               lower{0., 0.}, upper{1., 1.};
   unsigned int        n_x = 4, n_y = 4;
   Role left = Role::axis, right = Role::wall, bottom = Role::floor,
-       top                                     = Role::top;
+       top = Role::top;
+  /// Whether all triangles' diagonals rise, instead of every other one.
+  bool                               has_parallel_diagonals = false;
   std::function<bool(const Point &)> is_filled = [](const Point &) {
     return true;
   };
@@ -48,7 +51,7 @@ struct Rectangle
                              c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
           if (cell_type == Sandglass::CellType::quadrilateral)
             add_cell(result, {{a, b, c, d}}, 4);
-          else if ((i + j) % 2 == 0)
+          else if (has_parallel_diagonals || (i + j) % 2 == 0)
             {
               add_cell(result, {{a, b, c, 0}}, 3);
               add_cell(result, {{a, c, d, 0}}, 3);

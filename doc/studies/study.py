@@ -13,10 +13,11 @@ import mass_matrix
 import mesh_seeds
 import outlet_sweep
 import performance
+import verification
 
 STUDIES = {study.NAME: study
            for study in (outlet_sweep, mesh_seeds, mass_matrix,
-                         performance)}
+                         performance, verification)}
 
 
 def write_csv(name, rows):

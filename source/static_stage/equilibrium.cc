@@ -37,6 +37,20 @@ namespace Sandglass
                            const DruckerPrager  &material,
                            const double          density,
                            const Tensor<1, dim> &gravity)
+    : Equilibrium(grid,
+                  formulation,
+                  material,
+                  density,
+                  [gravity](const Point<dim> &) { return gravity; })
+  {}
+
+
+
+  Equilibrium::Equilibrium(const FilledGrid    &grid,
+                           const Formulation    formulation,
+                           const DruckerPrager &material,
+                           const double         density,
+                           const BodyForce     &body_force)
     : grid(grid)
     , formulation(formulation)
     , material(material)
@@ -46,7 +60,7 @@ namespace Sandglass
     , nodal_weight(grid.make_vector())
   {
     start_step(grid.make_vector()); // undeformed
-    assemble_weight(density, gravity);
+    assemble_weight(density, body_force);
   }
 
 
@@ -68,22 +82,24 @@ namespace Sandglass
 
 
   void
-  Equilibrium::assemble_weight(const double          density,
-                               const Tensor<1, dim> &gravity)
+  Equilibrium::assemble_weight(const double     density,
+                               const BodyForce &body_force)
   {
     FEValues<dim> fe_values(grid.mapping,
                             grid.finite_element,
                             grid.quadrature,
-                            update_values);
+                            update_values | update_quadrature_points);
     nodal_weight.zero_out_ghost_values();
     for_each_cell([&](const auto &cell, const auto &dofs) {
       fe_values.reinit(cell);
       for (const unsigned int q : fe_values.quadrature_point_indices())
         {
           const double mass = density * volumes[grid.point_index(*cell, q)];
+          const Tensor<1, dim> acceleration =
+            body_force(fe_values.quadrature_point(q));
           for (const unsigned int i : fe_values.dof_indices())
-            nodal_weight[dofs[i]] +=
-              mass * fe_values.shape_value(i, q) * gravity[grid.component(i)];
+            nodal_weight[dofs[i]] += mass * fe_values.shape_value(i, q) *
+                                     acceleration[grid.component(i)];
         }
     });
     nodal_weight.compress(VectorOperation::add);

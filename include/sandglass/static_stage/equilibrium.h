@@ -10,6 +10,7 @@
 #include <sandglass/static_stage/incremental_response.h>
 #include <sandglass/static_stage/wall_contact.h>
 
+#include <functional>
 #include <vector>
 
 namespace Sandglass
@@ -23,6 +24,9 @@ namespace Sandglass
   {
   public:
     using Vector = FilledGrid::Vector;
+
+    /// Force per mass, in m/s^2, at a point of the unloaded material.
+    using BodyForce = std::function<Tensor<1, dim>(const Point<dim> &)>;
 
     /// At a quadrature point; "before" is the start of the load step.
     struct MaterialPoint
@@ -40,6 +44,13 @@ namespace Sandglass
                 const DruckerPrager  &material,
                 const double          density,
                 const Tensor<1, dim> &gravity);
+
+    /// Under a body force that varies in space, as manufactured solutions have.
+    Equilibrium(const FilledGrid    &grid,
+                const Formulation    formulation,
+                const DruckerPrager &material,
+                const double         density,
+                const BodyForce     &body_force);
 
     /// Nodal forces of the whole weight in N, with ghost entries. Mass is
     /// conserved: they don't change as the material deforms.
@@ -111,7 +122,7 @@ namespace Sandglass
                  const double        elastic_share) const;
 
     void
-    assemble_weight(const double density, const Tensor<1, dim> &gravity);
+    assemble_weight(const double density, const BodyForce &body_force);
 
     const FilledGrid    &grid;
     const Formulation    formulation;
