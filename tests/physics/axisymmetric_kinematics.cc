@@ -83,10 +83,10 @@ namespace
         fixture.scene->triangulation.n_active_cells(),
         0.,
         true);
-      average.compute(fixture.stage->cloud.blocks(), geometry, velocity);
       const StressUpdate<DensityUpdate::paper> update(
         fixture.material.drucker_prager(), fixture.material.density);
-      NodalSums<CellSetting>    sums(geometry, 0., ForceIntegration::particles);
+      NodalSums<CellSetting> sums(geometry, 0., ForceIntegration::particles);
+      average.compute(fixture.stage->cloud.blocks(), geometry, sums, velocity);
       std::vector<ParticleSlot> strays;
       ParticlePass<CellSetting, DensityUpdate::paper, true>(
         geometry, update, average, StressIntegration::start_of_step, time_step)

@@ -17,6 +17,7 @@ namespace
     VolumetricAverageTest()
       : stage(fixture.start(Rectangle().mesh()))
       , geometry(*fixture.scene)
+      , sums(geometry, 0., ForceIntegration::particles)
       , average(*fixture.scene->nodes,
                 fixture.scene->triangulation.n_active_cells(),
                 0.9 * fixture.material.density,
@@ -39,12 +40,13 @@ namespace
             entry[0]      = value[0];
             entry[1]      = value[1];
           }
-      average.compute(stage.cloud.blocks(), geometry, field);
+      average.compute(stage.cloud.blocks(), geometry, sums, field);
     }
 
     StageFixture                     fixture;
     ParticleStage                   &stage;
     CellGeometry<CellType::triangle> geometry;
+    NodalSums<Triangles>             sums;
     VolumetricAverage<Triangles>     average;
   };
 } // namespace

@@ -2,8 +2,7 @@
 #define sandglass_particle_stage_volumetric_average_h
 
 #include <sandglass/base/instruction_sets.h>
-#include <sandglass/particle_stage/cell_kernel.h>
-#include <sandglass/particles/particle_state.h>
+#include <sandglass/particle_stage/nodal_sums.h>
 
 #include <memory>
 #include <vector>
@@ -50,6 +49,8 @@ namespace Sandglass
     /**
      * Find the averages for a velocity field with its ghosts. Collective; does
      * nothing if it is off.
+     *
+     * @param sums  of the particles' present positions.
      */
     void
     compute(const ParticleBlocks     &blocks,
