@@ -34,6 +34,9 @@ struct FlowingSilo : StageFixture
     text << time_step;
     parameters.time_step_text = text.str();
     parameters.end_time       = 1e3;
+    // As in the paper, and in the plain loop.
+    parameters.volumetric_strain = Sandglass::VolumetricStrain::element;
+    parameters.force_integration = Sandglass::ForceIntegration::particles;
     walls.outlet_lip          = Sandglass::WallParameters::OutletLip::floor;
     start(make_mesh(silo, MPI_COMM_WORLD));
     geometry = std::make_unique<Geometry>(*scene);

@@ -57,9 +57,9 @@ namespace Sandglass
     unsigned int time_step_interval = 20;
     /// alpha of the mass matrix alpha M + (1 - alpha) M_I (Section 3)
     double            consistent_mass_share = 0.;
-    VolumetricStrain  volumetric_strain     = VolumetricStrain::element;
+    VolumetricStrain  volumetric_strain     = VolumetricStrain::averaged;
     StressIntegration stress_integration    = StressIntegration::start_of_step;
-    ForceIntegration  force_integration     = ForceIntegration::particles;
+    ForceIntegration  force_integration     = ForceIntegration::cell;
     DensityUpdate     density_update        = DensityUpdate::separation;
     OnLostParticle    on_lost_particle      = OnLostParticle::stop;
     double            largest_speed         = 10.;
