@@ -24,7 +24,8 @@ namespace Sandglass
 
     /**
      * How much elastic stiffness Newton's tangent gets: none as long as the
-     * exact tangent serves, more after each failure, less after success.
+     * exact tangent serves, more after each failure, less after success. Less
+     * step by step: where the exact tangent has failed, it soon fails again.
      */
     class ElasticShare
     {
@@ -40,15 +41,16 @@ namespace Sandglass
       adapt(const double factor)
       {
         if (factor == 0.)
-          share = share == 0. ? smallest : std::min(1., share * 4.);
+          share = share == 0. ? first : std::min(1., share * 4.);
         else if (factor < 0.5)
-          share = std::max(share, smallest);
+          share = std::max(share, first);
         else
-          share = share <= smallest ? 0. : share / 4.;
+          share = share <= smallest ? 0. : share / 2.;
       }
 
     private:
-      static constexpr double smallest = 1e-2;
+      static constexpr double first    = 1e-2;
+      static constexpr double smallest = 1e-3;
       double                  share    = 0.;
     };
 
