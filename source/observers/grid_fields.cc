@@ -1,7 +1,6 @@
 #include <sandglass/observers/fields.h>
 
 #include <array>
-#include <map>
 
 namespace Sandglass
 {
@@ -21,6 +20,9 @@ namespace Sandglass
     public:
       explicit NodeFields(ParticleStage &stage)
         : stage(stage)
+        , numbers(stage.scene.nodes->locally_owned_size() +
+                    stage.scene.nodes->n_ghost_indices(),
+                  unknown)
       {
         // What each rank has summed at nodes that others own is gone.
         stage.fields.sums.update_ghosts();
@@ -29,11 +31,14 @@ namespace Sandglass
       std::int64_t
       number(const CellIterator &cell, const unsigned int vertex)
       {
-        const auto dof             = cell->vertex_dof_index(vertex, 0);
-        const auto [entry, is_new] = numbers.emplace(dof, numbers.size());
-        if (is_new)
-          add(stage.scene.nodes->global_to_local(dof), cell->vertex(vertex));
-        return entry->second;
+        const unsigned int node =
+          stage.scene.nodes->global_to_local(cell->vertex_dof_index(vertex, 0));
+        if (numbers[node] == unknown)
+          {
+            numbers[node] = mass.size();
+            add(node, cell->vertex(vertex));
+          }
+        return numbers[node];
       }
 
       std::vector<double> points;
@@ -50,8 +55,10 @@ namespace Sandglass
           velocity.push_back(component);
       }
 
-      ParticleStage                                  &stage;
-      std::map<types::global_dof_index, std::int64_t> numbers;
+      static constexpr std::int64_t unknown = -1;
+
+      ParticleStage            &stage;
+      std::vector<std::int64_t> numbers;
     };
   } // namespace
 
@@ -65,8 +72,8 @@ namespace Sandglass
     VtuPiece   piece;
     std::vector<std::int64_t> n_particles, subdomain;
 
-    const ParticleCloud::Handler &handler = stage.cloud.handler();
-    piece.points_per_cell                 = is_triangle ? 3 : 4;
+    const ParticleBlocks &blocks = stage.cloud.blocks();
+    piece.points_per_cell        = is_triangle ? 3 : 4;
     for (const auto &cell : stage.scene.dof_handler.active_cell_iterators())
       {
         if (!cell->is_locally_owned())
@@ -74,7 +81,12 @@ namespace Sandglass
         for (unsigned int v = 0; v < piece.points_per_cell; ++v)
           piece.cells.push_back(
             nodes.number(cell, is_triangle ? v : counterclockwise[v]));
-        n_particles.push_back(handler.n_particles_in_cell(cell));
+        std::int64_t n = 0;
+        blocks.for_each_block_in_cell(cell->active_cell_index(),
+                                      [&](const unsigned int block) {
+                                        n += blocks.n_lanes(block);
+                                      });
+        n_particles.push_back(n);
         subdomain.push_back(cell->subdomain_id());
       }
 

@@ -1,7 +1,9 @@
 #include <sandglass/observers/fields.h>
+#include <sandglass/particles/particle_state.h>
 
 #include <algorithm>
 #include <initializer_list>
+#include <numeric>
 
 namespace Sandglass
 {
@@ -31,35 +33,44 @@ namespace Sandglass
       std::vector<double> mass;
       Integers            layer, id;
 
-      void
-      add(const Particles::ParticleAccessor<dim> &particle,
-          const Point<dim>                       &initial_position,
-          const Scene                            &scene)
+      explicit ParticleFields(const unsigned int n)
       {
-        const auto             state    = particle.get_properties();
-        const Point<dim>      &location = particle.get_location();
-        const SymmetricTensor4 particle_stress =
-          Eigen::Map<const SymmetricTensor4>(&state[Property::stress]);
+        points.reserve(3 * n);
+        for (Floats *field : {&velocity, &displacement})
+          field->reserve(3 * n);
+        stress.reserve(6 * n);
+        for (Floats *field : {&pressure, &density})
+          field->reserve(n);
+        mass.reserve(n);
+        for (Integers *field : {&layer, &id})
+          field->reserve(n);
+      }
 
+      void
+      add(const ParticleState<double> &state,
+          const types::particle_index  particle_id,
+          const Point<dim>            &initial_position,
+          const Scene                 &scene)
+      {
+        const auto &location = state.location;
         append(points, {location[0], location[1], 0.});
-        append(velocity,
-               {state[Property::velocity], state[Property::velocity + 1], 0.});
+        append(velocity, {state.velocity[0], state.velocity[1], 0.});
         append(stress,
-               {particle_stress[Component::xx],
-                particle_stress[Component::yy],
-                particle_stress[Component::zz],
-                particle_stress[Component::xy],
+               {state.stress[Component::xx],
+                state.stress[Component::yy],
+                state.stress[Component::zz],
+                state.stress[Component::xy],
                 0.,
                 0.});
-        append(pressure, {Sandglass::pressure(particle_stress)});
-        append(density, {state[Property::density]});
+        append(pressure, {Sandglass::pressure(state.stress)});
+        append(density, {state.density});
         append(displacement,
                {location[0] - initial_position[0],
                 location[1] - initial_position[1],
                 0.});
-        append(mass, {state[Property::mass]});
+        append(mass, {state.mass});
         layer.push_back(layer_of(initial_position, scene));
-        id.push_back(particle.get_id());
+        id.push_back(particle_id);
       }
 
     private:
@@ -78,17 +89,19 @@ namespace Sandglass
   VtuPiece
   particle_fields(ParticleStage &stage)
   {
-    ParticleFields                fields;
-    const ParticleCloud::Handler &handler = stage.cloud.handler();
-    for (const auto &cell : stage.cloud.owned_cells())
-      for (const auto &particle : handler.particles_in_cell(cell))
-        fields.add(particle,
-                   stage.initial_position(particle.get_id()),
-                   stage.scene);
+    const ParticleBlocks &blocks = stage.cloud.blocks();
+    ParticleFields        fields(blocks.n_particles());
+    blocks.for_each([&](const ParticleSlot &slot) {
+      const types::particle_index id = blocks.id(slot);
+      fields.add(load_state(blocks[slot.block], slot.lane),
+                 id,
+                 stage.initial_position(id),
+                 stage.scene);
+    });
 
     VtuPiece piece;
-    for (unsigned int i = 0; i < fields.id.size(); ++i)
-      piece.cells.push_back(i);
+    piece.cells.resize(fields.id.size());
+    std::iota(piece.cells.begin(), piece.cells.end(), 0);
     piece.points          = std::move(fields.points);
     piece.points_per_cell = 1;
     piece.point_fields    = {

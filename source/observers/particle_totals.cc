@@ -1,9 +1,12 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/base/instruction_sets.h>
 #include <sandglass/observers/particle_totals.h>
 #include <sandglass/particles/particle_state.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace Sandglass
 {
@@ -13,62 +16,66 @@ namespace Sandglass
     {
       mass_in_silo,
       mass_falling,
-      mass_removed,
-      mass_lost,
       kinetic_energy,
       elastic_energy,
-      dissipated_energy,
       momentum_x,
       momentum_y,
+      n_particle_sums,
+      mass_removed = n_particle_sums,
+      mass_lost,
+      dissipated_energy,
       n_sums
     };
 
-    using Sums = std::array<double, n_sums>;
-
-
-
-    Sums
-    sums_of_cell(const ParticleBlocks &blocks,
-                 const unsigned int    cell,
-                 const Elasticity     &elasticity)
+    /// Sums over the particles of each lane.
+    struct LaneSums
     {
-      Sums sums{};
-      blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-        const auto   state = load_state(blocks[slot.block], slot.lane);
-        const double mass  = state.mass;
-        const double u     = state.velocity[0];
-        const double v     = state.velocity[1];
+      std::array<Lanes, n_particle_sums> sums;
+      Lanes                              largest_squared_speed;
 
-        sums[state.location[1] < 0. ? mass_falling : mass_in_silo] += mass;
-        sums[kinetic_energy] += 0.5 * mass * (u * u + v * v);
+      LaneSums()
+        : largest_squared_speed(0.)
+      {
+        sums.fill(Lanes(0.));
+      }
+
+      /// Lanes without a particle have no mass and the first one's speed.
+      void
+      add(const ParticleState<Lanes> &state, const Elasticity &elasticity)
+      {
+        const Lanes &mass   = state.mass;
+        const Lanes &u      = state.velocity[0];
+        const Lanes &v      = state.velocity[1];
+        const Lanes  square = u * u + v * v;
+        const auto   falls  = state.location[1] < Lanes(0.);
+
+        sums[mass_in_silo] += select(falls, Lanes(0.), mass);
+        sums[mass_falling] += select(falls, mass, Lanes(0.));
+        sums[kinetic_energy] += Lanes(0.5) * mass * square;
         sums[elastic_energy] +=
           elasticity.energy_density(state.stress) * state.volume();
         sums[momentum_x] += mass * u;
         sums[momentum_y] += mass * v;
-      });
-      return sums;
-    }
+        largest_squared_speed =
+          select(largest_squared_speed < square, square, largest_squared_speed);
+      }
+    };
 
 
 
-    /// This rank's sums. In order of cells, which doesn't depend on history,
-    /// and cell by cell, which keeps rounding small.
-    Sums
-    sums_of_rank(ParticleStage &stage, const Elasticity &elasticity)
+    /// This rank's particles; in order of cells, which doesn't depend on
+    /// history.
+    LaneSums
+    sums_of_particles(ParticleStage &stage, const Elasticity &elasticity)
     {
-      Sums sums{};
-      for (const auto &cell : stage.cloud.owned_cells())
-        {
-          const Sums of_cell = sums_of_cell(stage.cloud.blocks(),
-                                            cell->active_cell_index(),
-                                            elasticity);
-          for (unsigned int i = 0; i < n_sums; ++i)
-            sums[i] += of_cell[i];
-        }
-      sums[mass_removed] = stage.removed_mass().discharged;
-      sums[mass_lost]    = stage.removed_mass().lost;
-      sums[dissipated_energy] =
-        stage.plastic_dissipation + stage.contact.friction_dissipation();
+      LaneSums              sums;
+      const ParticleBlocks &blocks = stage.cloud.blocks();
+      run_with_widest_vectors([&]() {
+        for (unsigned int cell = 0; cell < blocks.n_cells(); ++cell)
+          blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+            sums.add(load_state(blocks[block]), elasticity);
+          });
+      });
       return sums;
     }
   } // namespace
@@ -80,7 +87,14 @@ namespace Sandglass
   {
     const MPI_Comm communicator = stage.scene.communicator;
 
-    Sums                    sums = sums_of_rank(stage, elasticity);
+    const LaneSums             of_lanes = sums_of_particles(stage, elasticity);
+    std::array<double, n_sums> sums;
+    for (unsigned int i = 0; i < n_particle_sums; ++i)
+      sums[i] = sum(of_lanes.sums[i]);
+    sums[Sum::mass_removed] = stage.removed_mass().discharged;
+    sums[Sum::mass_lost]    = stage.removed_mass().lost;
+    sums[Sum::dissipated_energy] =
+      stage.plastic_dissipation + stage.contact.friction_dissipation();
     const ArrayView<double> view(sums.data(), sums.size());
     Utilities::MPI::sum(ArrayView<const double>(view), communicator, view);
 
@@ -100,6 +114,11 @@ namespace Sandglass
                             stage.cloud.n_locally_owned_particles()),
                           communicator);
     particle_steps = Utilities::MPI::sum(stage.particle_steps, communicator);
-    largest_speed  = Utilities::MPI::max(stage.largest_speed(), communicator);
+    double largest_square = 0.;
+    for (unsigned int lane = 0; lane < Lanes::n; ++lane)
+      largest_square =
+        std::max(largest_square, of_lanes.largest_squared_speed[lane]);
+    largest_speed =
+      Utilities::MPI::max(std::sqrt(largest_square), communicator);
   }
 } // namespace Sandglass

@@ -35,18 +35,25 @@ namespace Sandglass
     {
       if (!parameters.static_stage.is_enabled)
         return {};
-      TimerOutput::Scope scope(timings, Timing::static_stage);
-      StaticStage        static_stage(stage.scene,
-                               parameters.material,
-                               parameters.walls,
-                               parameters.static_stage,
-                               log.stream());
-      const StaticState  state = static_stage.run();
+      std::optional<StaticStage> static_stage;
+      StaticState                state;
+      {
+        TimerOutput::Scope scope(timings, Timing::static_stage);
+        static_stage.emplace(stage.scene,
+                             parameters.material,
+                             parameters.walls,
+                             parameters.static_stage,
+                             log.stream());
+        state = static_stage->run();
+        carry_to_particles(state,
+                           stage,
+                           parameters.static_stage.displaces_particles);
+      }
       if (parameters.output.writes_grid)
-        static_stage.write_vtu(parameters.output.directory);
-      carry_to_particles(state,
-                         stage,
-                         parameters.static_stage.displaces_particles);
+        {
+          TimerOutput::Scope scope(timings, Timing::output);
+          static_stage->write_vtu(parameters.output.directory);
+        }
       return state.wall_forces;
     }
 

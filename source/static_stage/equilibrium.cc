@@ -257,7 +257,8 @@ namespace Sandglass
       for (unsigned int i = 0; i < n_dofs; ++i)
         for (unsigned int j = 0; j < n_dofs; ++j)
           block(i, j) = tangent(i, j);
-      matrix.add(dofs, block);
+      constexpr bool leave_out_zeros = false; // to look for them costs more
+      matrix.add(dofs, block, leave_out_zeros);
     });
     contact.add_stiffness([&matrix](const auto i, const auto j, const auto a) {
       matrix.add(i, j, a);

@@ -1,8 +1,6 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <sandglass/static_stage/newton_solver.h>
@@ -26,7 +24,8 @@ namespace Sandglass
 
     /**
      * How much elastic stiffness Newton's tangent gets: none as long as the
-     * exact tangent serves, more after each failure, less after success.
+     * exact tangent serves, more after each failure, less after success. Less
+     * step by step: where the exact tangent has failed, it soon fails again.
      */
     class ElasticShare
     {
@@ -42,17 +41,45 @@ namespace Sandglass
       adapt(const double factor)
       {
         if (factor == 0.)
-          share = share == 0. ? smallest : std::min(1., share * 4.);
+          share = share == 0. ? first : std::min(1., share * 4.);
         else if (factor < 0.5)
-          share = std::max(share, smallest);
+          share = std::max(share, first);
         else
-          share = share <= smallest ? 0. : share / 4.;
+          share = share <= smallest ? 0. : share / 2.;
       }
 
     private:
-      static constexpr double smallest = 1e-2;
+      static constexpr double first    = 1e-2;
+      static constexpr double smallest = 1e-3;
       double                  share    = 0.;
     };
+
+
+
+    TrilinosWrappers::SparsityPattern
+    make_sparsity(const FilledGrid &grid)
+    {
+      TrilinosWrappers::SparsityPattern sparsity(
+        grid.owned_dofs, grid.triangulation.get_communicator());
+      DoFTools::make_sparsity_pattern(
+        grid.dof_handler,
+        sparsity,
+        AffineConstraints<double>(),
+        true,
+        grid.triangulation.locally_owned_subdomain());
+      sparsity.compress();
+      return sparsity;
+    }
+
+
+
+    /// How well a step has to solve the linear equations. Convergence stays
+    /// faster than linear, and no more is solved for than a step can gain.
+    double
+    linear_tolerance(const double residual_norm)
+    {
+      return std::min(0.1, std::sqrt(residual_norm));
+    }
   } // namespace
 
 
@@ -65,23 +92,14 @@ namespace Sandglass
     , equilibrium(equilibrium)
     , contact(contact)
     , parameters(parameters)
+    , tangent(make_sparsity(grid))
+    , tangent_solver(tangent)
     , forces(grid.make_vector())
     , residual(grid.make_vector())
     , step(grid.make_vector())
     , trial(grid.make_vector())
     , displacement(grid.make_vector())
-  {
-    TrilinosWrappers::SparsityPattern sparsity(
-      grid.owned_dofs, grid.triangulation.get_communicator());
-    DoFTools::make_sparsity_pattern(
-      grid.dof_handler,
-      sparsity,
-      AffineConstraints<double>(),
-      true,
-      grid.triangulation.locally_owned_subdomain());
-    sparsity.compress();
-    tangent.reinit(sparsity);
-  }
+  {}
 
 
 
@@ -117,34 +135,37 @@ namespace Sandglass
 
 
   bool
-  NewtonSolver::find_step(const double elastic_share)
+  NewtonSolver::find_step(const double elastic_share,
+                          const double residual_norm)
   {
     equilibrium.assemble_tangent(contact, elastic_share, tangent);
-    SolverControl                  control;
-    TrilinosWrappers::SolverDirect solver(control);
-    step.zero_out_ghost_values();
-    try
-      {
-        solver.solve(tangent, step, residual);
-      }
-    catch (const ExceptionBase &)
-      {
-        return false;
-      }
-    return std::isfinite(step.l2_norm());
+    return tangent_solver.solve(residual,
+                                linear_tolerance(residual_norm),
+                                step);
   }
 
 
 
   double
-  NewtonSolver::search_line(const Vector &increment, const double residual_norm)
+  NewtonSolver::follow_step(Vector &increment, const double factor)
   {
-    double best_factor = 0.;
-    double best_norm   = (1. + tolerated_rise) * residual_norm;
+    move(increment, factor, trial);
+    increment.swap(trial);
+    return evaluate(increment);
+  }
+
+
+
+  double
+  NewtonSolver::search_line(Vector &increment, double &residual_norm)
+  {
+    double best_factor = 0., last_factor = 0.;
+    double best_norm = (1. + tolerated_rise) * residual_norm;
     for (double factor = 1.; factor >= 1. / 32.; factor /= 2.)
       {
         move(increment, factor, trial);
         const double norm = evaluate(trial);
+        last_factor       = factor;
         if (norm < best_norm)
           {
             best_norm   = norm;
@@ -155,6 +176,13 @@ namespace Sandglass
         if (norm < (1. - 0.5 * factor) * residual_norm)
           break;
       }
+    if (best_factor == last_factor)
+      {
+        increment.swap(trial);
+        residual_norm = best_norm;
+      }
+    else
+      residual_norm = follow_step(increment, best_factor);
     return best_factor;
   }
 
@@ -181,18 +209,15 @@ namespace Sandglass
           }
 
         if (i == parameters.maximum_iterations || !std::isfinite(norm) ||
-            !find_step(elastic_share.value()))
+            !find_step(elastic_share.value(), norm))
           return {false, i, norm};
 
-        double factor = search_line(increment, norm);
+        const double factor = search_line(increment, norm);
         // The elastic step is the last resort: follow it even uphill.
         if (factor == 0. && elastic_share.value() == 1.)
-          factor = 0.5;
+          norm = follow_step(increment, 0.5);
         else
           elastic_share.adapt(factor);
-        move(increment, factor, trial);
-        increment.swap(trial);
-        norm = evaluate(increment);
       }
   }
 } // namespace Sandglass

@@ -28,6 +28,55 @@ namespace Sandglass
 
 
     /**
+     * Guesses the displacement increment of the next load step from the last
+     * two. Without cohesion, displacement grows nearly in proportion to the
+     * weight, and how fast it grows changes nearly linearly.
+     */
+    class Predictor
+    {
+    public:
+      explicit Predictor(const FilledGrid::Vector &zero)
+        : last(zero)
+        , before_last(zero)
+      {}
+
+      void
+      add(const double step, const FilledGrid::Vector &increment)
+      {
+        std::swap(last, before_last);
+        before_last_step = last_step;
+        last             = increment;
+        last_step        = step;
+      }
+
+      /// Zero as long as no step is known.
+      FilledGrid::Vector
+      predict(const double step) const
+      {
+        FilledGrid::Vector increment = last;
+        if (before_last_step > 0.)
+          {
+            // between the middles of steps
+            const double distance = (step + last_step) / 2.;
+            const double weight =
+              distance / ((last_step + before_last_step) / 2.);
+            increment *= (1. + weight) * step / last_step;
+            increment.add(-weight * step / before_last_step, before_last);
+          }
+        else if (last_step > 0.)
+          increment *= step / last_step;
+        increment.update_ghost_values();
+        return increment;
+      }
+
+    private:
+      FilledGrid::Vector last, before_last;
+      double             last_step = 0., before_last_step = 0.;
+    };
+
+
+
+    /**
      * For each vertex of `cell` the number that it has in `same_cell` of
      * another triangulation. deal.II orients quadrilaterals by their
      * neighbours, so that it need not be the same.
@@ -84,15 +133,12 @@ namespace Sandglass
       return make_state();
 
     const double largest_step = 1. / parameters.n_load_steps;
-    double       load = 0., step = largest_step, last_step = step;
-    Vector       last_increment = grid.make_vector();
+    double       load = 0., step = largest_step;
+    Predictor    predictor(displacement);
     while (load < 1. - 1e-12)
       {
-        const double this_step = std::min(step, 1. - load);
-        // Without cohesion, displacement grows nearly in proportion to weight.
-        Vector increment = last_increment;
-        increment *= this_step / last_step;
-        increment.update_ghost_values();
+        const double               this_step = std::min(step, 1. - load);
+        Vector                     increment = predictor.predict(this_step);
         const NewtonSolver::Result result =
           solver.solve(displacement, load + this_step, increment);
 
@@ -104,9 +150,8 @@ namespace Sandglass
           {
             accept(increment);
             load += this_step;
-            last_step      = this_step;
-            last_increment = increment;
-            step           = std::min(2. * step, largest_step);
+            predictor.add(this_step, increment);
+            step = std::min(2. * step, largest_step);
           }
         else
           {
@@ -192,6 +237,10 @@ namespace Sandglass
           }
 
     DataOut<dim> data_out;
+    // The numbers' last digits are noise, on which more effort gains little.
+    DataOutBase::VtkFlags flags;
+    flags.compression_level = DataOutBase::VtkFlags::best_speed;
+    data_out.set_flags(flags);
     data_out.attach_dof_handler(grid.dof_handler);
     data_out.add_data_vector(
       displacement,

@@ -49,13 +49,15 @@ namespace Sandglass
     }
 
     /// Elastic energy per volume, in J/m^3, of a stress in Pa.
-    double
-    energy_density(const SymmetricTensor4 &stress) const
+    template <typename Derived>
+    typename Derived::Scalar
+    energy_density(const Eigen::MatrixBase<Derived> &stress) const
     {
-      const double           p = pressure(stress);
-      const SymmetricTensor4 s = deviator(stress);
-      return p * p / (2. * bulk_modulus()) +
-             double_contraction(s, s) / (4. * shear_modulus);
+      using Number   = typename Derived::Scalar;
+      const Number p = pressure(stress);
+      const auto   s = deviator(stress);
+      return p * p * Number(1. / (2. * bulk_modulus())) +
+             double_contraction(s, s) * Number(1. / (4. * shear_modulus));
     }
   };
 } // namespace Sandglass

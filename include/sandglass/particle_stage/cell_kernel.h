@@ -34,6 +34,20 @@ namespace Sandglass
         field.at(nodes[i])[c] += values[i][c];
   }
 
+  /// sum_i a_i . b_i. A sum over cells takes it as one term: it would have to
+  /// wait for each of several.
+  template <std::size_t n_components, std::size_t n_nodes>
+  double
+  scalar_product(const CellValues<n_components, n_nodes> &a,
+                 const CellValues<n_components, n_nodes> &b)
+  {
+    double sum = 0.;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int c = 0; c < n_components; ++c)
+        sum += a[i][c] * b[i][c];
+    return sum;
+  }
+
   /// Call `kernel(cell)` with the index of each cell that holds particles.
   template <typename Kernel>
   void

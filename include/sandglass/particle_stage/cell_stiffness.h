@@ -74,9 +74,7 @@ namespace Sandglass
                                             cells.stiff_volume(cell));
         else
           as_vector(forces) = matrices[cell] * as_vector(displacements);
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            energy += forces[i][d] * displacements[i][d];
+        energy += scalar_product(forces, displacements);
         scatter(forces, nodes, product);
       });
       return energy;

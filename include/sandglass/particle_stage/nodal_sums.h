@@ -141,9 +141,7 @@ namespace Sandglass
         const auto &cell_nodes = geometry.nodes(cell);
         const auto  values     = gather(field, cell_nodes);
         const auto  products   = mass_times(cell, values);
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            energy += products[i][d] * values[i][d];
+        energy += scalar_product(products, values);
         Sandglass::scatter(products, cell_nodes, product);
       });
       return energy;

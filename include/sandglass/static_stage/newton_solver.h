@@ -5,6 +5,7 @@
 
 #include <sandglass/static_stage/equilibrium.h>
 #include <sandglass/static_stage/static_stage_parameters.h>
+#include <sandglass/static_stage/tangent_solver.h>
 #include <sandglass/static_stage/wall_contact.h>
 
 namespace Sandglass
@@ -52,13 +53,23 @@ namespace Sandglass
     /// Solve for the Newton step at the last iterate that evaluate() was called
     /// with; false if the tangent is singular.
     bool
-    find_step(const double elastic_share);
+    find_step(const double elastic_share, const double residual_norm);
 
-    /// The factor of the step that lowers the residual most among 1, 1/2, ...,
-    /// 1/32, or 0 if none does.
+    /**
+     * Go along the step by the factor that lowers the residual most among 1,
+     * 1/2, ..., 1/32, and bring all state there.
+     *
+     * @return the factor, or 0 if none lowers the residual.
+     */
     double
-    search_line(const Vector &increment, const double residual_norm);
+    search_line(Vector &increment, double &residual_norm);
 
+    /// Go along the step by this factor, and bring all state there; returns the
+    /// residual.
+    double
+    follow_step(Vector &increment, const double factor);
+
+    /// `result` is the increment less the step times the factor.
     void
     move(const Vector &increment, const double factor, Vector &result) const;
 
@@ -68,6 +79,7 @@ namespace Sandglass
     const StaticStageParameters &parameters;
 
     TrilinosWrappers::SparseMatrix tangent;
+    TangentSolver                  tangent_solver;
     Vector                         forces, residual, step, trial, displacement;
     const Vector                  *displacement_before = nullptr;
     double                         load_share          = 0.;
