@@ -14,10 +14,11 @@ import mesh_seeds
 import outlet_sweep
 import performance
 import verification
+import work_precision
 
 STUDIES = {study.NAME: study
            for study in (outlet_sweep, mesh_seeds, mass_matrix,
-                         performance, verification)}
+                         performance, verification, work_precision)}
 
 
 def write_csv(name, rows):

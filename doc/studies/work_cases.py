@@ -1,0 +1,103 @@
+"""The runs of the work-precision study."""
+from typing import NamedTuple
+
+from outlet_sweep import outlet_time
+from study_runs import WITHOUT_FIELDS, auto_scene, study_run
+
+NAME = "work-precision"
+
+# As in the outlet sweep: the rate's and the wall force's times in sqrt(D/g).
+WINDOW = (3., 5.)
+
+
+class Silo(NamedTuple):
+    title: str
+    scene: str
+    outlet: float  # half width in m
+    elements: tuple  # sizes in m; the first three are the paper's meshes
+
+
+SILOS = {
+    "plane": Silo("plane", auto_scene("plane-flat-bottom", 1), 0.225,
+                  (0.1, 0.05, 0.025, 0.0125)),
+    "axisymmetric": Silo("axisymmetric",
+                         auto_scene("axisymmetric-flat-bottom", 1), 0.05,
+                         (0.0125, 0.00625, 0.003125, 0.0015625)),
+}
+
+
+class Method(NamedTuple):
+    title: str
+    settings: tuple
+    n_meshes: int = 3
+    is_in_plot: bool = False
+
+
+PAPER = (("Walls/Outlet lip", "floor"),
+         ("Particle stage/Volumetric strain", "element"),
+         ("Particle stage/Force integration", "particles"),
+         ("Particle stage/Density update", "paper"))
+BY_PARTICLES = (("Particle stage/Force integration", "particles"),)
+SQUARES = (("Scene/Cell type", "quadrilateral"),)
+
+
+def particles(number):
+    return (("Scene/Particles per cell", number),)
+
+
+# Each differs from one above it in one respect; the default is "cell-4".
+METHODS = {
+    "paper": Method("the paper's, automatic step", PAPER, 4, True),
+    "separation": Method("+ density: separation", PAPER[:3]),
+    "free": Method("+ free lip", PAPER[1:3], 4, True),
+    "averaged": Method("+ averaged volumetric strain", BY_PARTICLES, 4, True),
+    "averaged-16": Method("the same, 16 particles",
+                          BY_PARTICLES + particles(16)),
+    "cell-4": Method("+ force integration by cell: the default", (), 4, True),
+    "cell-9": Method("the default, 9 particles", particles(9), 4, True),
+    "cell-16": Method("the default, 16 particles", particles(16), 4, True),
+    "element-9": Method("9 particles, element strain", particles(9) +
+                        (("Particle stage/Volumetric strain", "element"),)),
+    "squares-particles": Method("squares, force by particles",
+                                SQUARES + BY_PARTICLES, 4),
+    "squares-4": Method("squares", SQUARES, 4, True),
+    "squares-9": Method("squares, 9 particles", SQUARES + particles(9), 4,
+                        True),
+    "squares-16": Method("squares, 16 particles", SQUARES + particles(16), 4),
+    "squares-16-element": Method(
+        "squares, 16 particles, element strain", SQUARES + particles(16) +
+        (("Particle stage/Volumetric strain", "element"),)),
+    "half-step": Method("the default, half the step",
+                        (("Particle stage/Time step safety", 0.4),)),
+    "middle": Method("the default, middle of step",
+                     (("Particle stage/Stress integration",
+                       "middle of step"),)),
+    "mass-0.5": Method("the default, consistent mass share 0.5",
+                       (("Particle stage/Consistent mass share", 0.5),)),
+}
+
+# Whose finest results are the reference: all cures, most particles.
+REFERENCES = ("cell-9", "cell-16", "squares-9", "squares-16")
+
+
+def work_run(key, method, element):
+    silo = SILOS[key]
+    unit = outlet_time(silo.outlet)
+    settings = (("Scene/Element size", element),
+                ("Particle stage/End time", round(WINDOW[1] * unit + 0.02, 3)),
+                # Wall tractions are means over it.
+                ("Output/Interval", round(unit, 6)),
+                *METHODS[method].settings)
+    run = study_run(NAME, f"{key}-{method}-{element:g}", silo.scene, settings)
+    return run._replace(settings=run.settings + WITHOUT_FIELDS)
+
+
+def cases():
+    """Silo, method and element size; the coarse meshes first."""
+    return [(key, method, silo.elements[mesh]) for mesh in range(4)
+            for key, silo in SILOS.items() for method in METHODS
+            if mesh < METHODS[method].n_meshes]
+
+
+def runs():
+    return [work_run(*case) for case in cases()]

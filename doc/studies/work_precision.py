@@ -1,0 +1,209 @@
+"""Time and particle-steps against the error of what users ask for."""
+import run_output
+from outlet_sweep import mean_rate, outlet_time
+from plots import STYLE, plt, save
+from runs import make_all
+from tables import markdown, number
+from traction_tables import integral_along, rows_at
+from work_cases import (BY_PARTICLES, METHODS, NAME, REFERENCES, SILOS, WINDOW, cases, runs,
+                        work_run)
+
+QUANTITIES = {"flow_rate": "flow rate", "wall_at_rest": "wall force at rest",
+              "wall_in_flow": "wall force in flow"}
+COLORS = {"paper": "#9b2226", "free": "#c9822a", "averaged": "#b8a13a",
+          "cell-4": "#4a7c59", "cell-9": "#1d3557", "cell-16": "#6a8caf",
+          "squares-4": "#7a5195", "squares-9": "#bc5090"}
+
+
+def make_runs():
+    make_all(runs())
+
+
+def results():
+    return [row_of(*case) for case in cases()
+            if run_output.has_ended(work_run(*case).directory)]
+
+
+def row_of(key, method, element):
+    directory = work_run(key, method, element).directory
+    summary = run_output.read_summary(directory)
+    row = {"silo": key, "method": method, "element_m": element,
+           "mesh": SILOS[key].elements.index(element) + 1,
+           "status": summary["status"],
+           "steps": summary["steps"],
+           "particle_steps": summary["particle_steps"],
+           "loop_seconds": summary["loop_seconds"],
+           "all_seconds": sum(summary[part + "_seconds"] for part in
+                              ("setup", "static", "loop")),
+           **{quantity: None for quantity in QUANTITIES}}
+    if summary["status"] == "finished":
+        row.update(measured(key, directory))
+    return row
+
+
+def measured(key, directory):
+    """The rate in kg/s, wall forces in N; plane: per metre."""
+    unit = outlet_time(SILOS[key].outlet)
+    table = run_output.read_table(directory, "flow_rate.csv")
+
+    def wall_force(time):
+        return integral_along([row for row in rows_at(directory, time)
+                               if row["wall"] == "wall"], "normal_Pa")
+    times = [step * unit for step in range(int(WINDOW[0]) + 1,
+                                           int(WINDOW[1]) + 1)]
+    return {"flow_rate": mean_rate(table, unit, *WINDOW),
+            "wall_at_rest": wall_force(0.),
+            "wall_in_flow": sum(map(wall_force, times)) / len(times)}
+
+
+def references(rows, key, quantity):
+    """What the methods with all cures give on the two finest meshes: mean of
+    the finest, and half the range of all as its uncertainty."""
+    chosen = [row for row in rows if row["silo"] == key and
+              row["method"] in REFERENCES and row["mesh"] >= 3 and
+              row[quantity] is not None]
+    finest = [row[quantity] for row in chosen if row["mesh"] ==
+              max(other["mesh"] for other in chosen)]
+    every = [row[quantity] for row in chosen]
+    return sum(finest) / len(finest), 0.5 * (max(every) - min(every))
+
+
+def error_of(rows, row, quantity):
+    if row[quantity] is None:
+        return None
+    return row[quantity] / references(rows, row["silo"], quantity)[0] - 1.
+
+
+def reference(rows):
+    lines = []
+    for key, silo in SILOS.items():
+        for quantity, title in QUANTITIES.items():
+            value, uncertainty = references(rows, key, quantity)
+            lines.append([f"{silo.title}, {title}", number(value),
+                          f"{100 * uncertainty / value:.1f} %"])
+    return markdown(["quantity", "reference", "± "], lines)
+
+
+def by_method(rows, key, cell):
+    """A line for each method, a column for each mesh."""
+    lines = []
+    for name, method in METHODS.items():
+        own = {row["mesh"]: row for row in rows
+               if row["silo"] == key and row["method"] == name}
+        lines.append([method.title] +
+                     [cell(own[mesh]) if mesh in own else "–"
+                      for mesh in (1, 2, 3, 4)])
+    return markdown(["method", "mesh 1", "mesh 2", "mesh 3", "half of it"],
+                    lines)
+
+
+def signed_percent(error):
+    return "breaks down" if error is None else f"{100 * error:+.1f} %"
+
+
+def errors(rows, key, quantity="flow_rate"):
+    return by_method(rows, key, lambda row: signed_percent(
+        error_of(rows, row, quantity)))
+
+
+def cost(rows, key):
+    return by_method(rows, key, lambda row:
+                     f"{row['particle_steps'] / 1e6:.3g} M, "
+                     f"{row['all_seconds']:.2g} s")
+
+
+def walls(rows):
+    lines = []
+    for key, silo in SILOS.items():
+        for name in ("paper", "averaged", "cell-4", "cell-9", "squares-9"):
+            line = [f"{silo.title}, {METHODS[name].title}"]
+            for quantity in ("wall_at_rest", "wall_in_flow"):
+                line += [signed_percent(error_of(rows, row, quantity))
+                         for row in rows if row["silo"] == key and
+                         row["method"] == name and row["mesh"] <= 3]
+            lines.append(line)
+    return markdown(["silo, method"] + [f"{time}, mesh {mesh}" for time in
+                                        ("at rest", "in flow")
+                                        for mesh in (1, 2, 3)], lines)
+
+
+def cheapest(rows, key, name, bound):
+    """Of a method's runs from which on its error stays within a bound."""
+    own = sorted((row for row in rows if row["silo"] == key and
+                  row["method"] == name), key=lambda row: -row["mesh"])
+    result = None
+    for row in own:
+        error = error_of(rows, row, "flow_rate")
+        if error is None or abs(error) > bound:
+            break
+        result = row
+    return result
+
+
+def within(rows, key):
+    """The work for an error, also beside that of the paper's method."""
+    lines = []
+    for bound in (0.1, 0.05, 0.03):
+        for name, method in METHODS.items():
+            row = cheapest(rows, key, name, bound)
+            if row:
+                lines.append([f"{100 * bound:g} %", method.title, row["mesh"],
+                              f"{row['particle_steps'] / 1e6:.3g} M",
+                              f"{row['all_seconds']:.2g}"])
+    return markdown(["error at most", "method", "from mesh",
+                     "particle-steps", "seconds"], lines)
+
+
+def noise(rows):
+    """Rates with both force integrations."""
+    names = ("averaged", "averaged-16", "cell-4", "cell-16",
+             "squares-particles", "squares-4", "squares-16")
+    lines = []
+    for name in names:
+        own = {row["mesh"]: row["flow_rate"] for row in rows
+               if row["silo"] == "plane" and row["method"] == name}
+        is_cell = BY_PARTICLES[0] not in METHODS[name].settings
+        lines.append(["squares" if name.startswith("squares") else "triangles",
+                      16 if name.endswith("16") else 4,
+                      "cell" if is_cell else "particles"] +
+                     [number(own.get(mesh)) for mesh in (1, 2, 3, 4)])
+    return markdown(["cells", "particles per cell", "`Force integration`",
+                     "mesh 1", "mesh 2", "mesh 3", "half of it"], lines)
+
+
+def parts(rows):
+    tables = {"reference": reference(rows), "walls": walls(rows),
+              "noise": noise(rows)}
+    for key in SILOS:
+        for table in (errors, cost, within):
+            tables[f"{table.__name__}-{key}"] = table(rows, key)
+    return tables
+
+
+def draw(rows):
+    with plt.rc_context(STYLE):
+        figure, panels = plt.subplots(1, len(SILOS), figsize=(10, 4.2),
+                                      layout="constrained", sharey=True)
+        for axes, (key, silo) in zip(panels, SILOS.items()):
+            draw_silo(axes, rows, key)
+            axes.set_title(silo.title + ", flat bottom", fontsize=11)
+            axes.set_xlabel("set-up, static stage and loop, s")
+        panels[0].set_ylabel("error of the flow rate, %")
+        panels[0].legend(frameon=False, fontsize=7)
+        save(figure, NAME + ".png")
+
+
+def draw_silo(axes, rows, key):
+    value, uncertainty = references(rows, key, "flow_rate")
+    share = 100 * uncertainty / value
+    axes.axhspan(-share, share, color="#dddddd", linewidth=0)
+    for name, method in METHODS.items():
+        if not method.is_in_plot:
+            continue
+        own = [row for row in rows if row["silo"] == key and
+               row["method"] == name and row["flow_rate"] is not None]
+        axes.plot([row["all_seconds"] for row in own],
+                  [100 * error_of(rows, row, "flow_rate") for row in own],
+                  "s--" if name.startswith("squares") else "o-", markersize=4,
+                  linewidth=1.2, color=COLORS[name], label=method.title)
+    axes.set_xscale("log")
