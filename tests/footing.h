@@ -57,7 +57,9 @@ public:
   /// @param n_cells  in the footing's half width.
   Footing(const Cells                       cells,
           const Sandglass::VolumetricStrain volumetric_strain,
-          const unsigned int                n_cells)
+          const unsigned int                n_cells,
+          const Sandglass::ForceIntegration integration =
+            Sandglass::ForceIntegration::particles)
     : h(half_width / n_cells)
   {
     using namespace Sandglass;
@@ -65,6 +67,7 @@ public:
     fixture.material.density = density;
     fixture.material.internal_friction_angle = friction_angle;
     fixture.parameters.volumetric_strain     = volumetric_strain;
+    fixture.parameters.force_integration     = integration;
     fixture.parameters.density_update        = DensityUpdate::constant;
     fixture.parameters.end_time              = 1e3;
     Rectangle rectangle;

@@ -170,11 +170,12 @@ public:
 
   /// @param relative_pressure  over the largest uniaxial stress; less than 1.6
   ///                           doesn't keep the material elastic.
-  ManufacturedRun(const ManufacturedMotion &motion,
-                  const Sandglass::CellType cell_type,
-                  const unsigned int        n_cells,
-                  const unsigned int        particles_per_cell,
-                  const double              relative_pressure = 2.)
+  ManufacturedRun(const ManufacturedMotion         &motion,
+                  const Sandglass::CellType         cell_type,
+                  const Sandglass::ForceIntegration integration,
+                  const unsigned int                n_cells,
+                  const unsigned int                particles_per_cell,
+                  const double                      relative_pressure = 2.)
     : motion(motion)
     // An even pressure that keeps the material within the cone
     , initial_pressure(relative_pressure * motion.pi * motion.amplitude *
@@ -190,6 +191,7 @@ public:
     fixture.parameters.density_update = DensityUpdate::paper;
     // The finite motion's strains are large enough for it to matter.
     fixture.parameters.stress_integration = StressIntegration::middle_of_step;
+    fixture.parameters.force_integration  = integration;
 
     // Three eighths of a period: neither velocity nor displacement vanishes.
     const double end = 0.75 * motion.pi / motion.angular_frequency();

@@ -7,6 +7,16 @@
 
 #include "rectangle_mesh.h"
 
+/// As in the parameter file.
+inline const char *
+name_of(const Sandglass::ForceIntegration integration)
+{
+  return integration == Sandglass::ForceIntegration::cell ? "cell" :
+                                                            "particles";
+}
+
+
+
 /**
  * A particle stage on a hand-made mesh, with all parameters at hand before
  * start() makes the stage.

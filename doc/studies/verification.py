@@ -1,7 +1,10 @@
 """Observed orders of both stages and a footing's limit load, from what the tests
 print that compare with exact solutions."""
+import concurrent.futures
+import os
 import re
 import subprocess
+import sys
 
 from runs import SANDGLASS
 from study_runs import output_of
@@ -9,24 +12,48 @@ from tables import markdown
 
 NAME = "verification"
 TESTS = {"physics": "*ManufacturedStatic*:*ManufacturedMotionTest*",
-         "validation": "*FiniteMotion*:*FootingLimit*"}
+         "validation": "*FiniteMotion*:*EvenPressure*:*FootingLimit*"}
 # In the order of the tests' parameters
 SETTINGS = ("plane, triangles", "plane, quadrilaterals",
             "axisymmetric, triangles", "axisymmetric, quadrilaterals")
+INTEGRATIONS = ("particles", "cell")
 
 
 def output_file(program):
     return output_of(NAME) / (program + ".txt")
 
 
+def run(program, arguments):
+    """What a test program prints."""
+    done = subprocess.run([SANDGLASS.parent / "tests" /
+                           (program + "_tests"), *arguments],
+                          capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        print(f"{program}_tests {' '.join(arguments)}: failed",
+              file=sys.stderr)
+    return done.stdout
+
+
+def names_of_tests(program, pattern):
+    suite = ""
+    for line in run(program, ["--gtest_list_tests",
+                              f"--gtest_filter={pattern}"]).splitlines():
+        if line.startswith(" "):
+            yield suite + line.split()[0]
+        elif line.endswith("."):
+            suite = line
+
+
 def make_runs():
     output_of(NAME).mkdir(parents=True, exist_ok=True)
-    for program, tests in TESTS.items():
-        done = subprocess.run([SANDGLASS.parent / "tests" /
-                               (program + "_tests"),
-                               f"--gtest_filter={tests}"],
-                              capture_output=True, text=True, check=False)
-        output_file(program).write_text(done.stdout, encoding="utf-8")
+    jobs = int(os.environ.get("JOBS", os.cpu_count() or 1))
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for program, tests in TESTS.items():
+            texts = pool.map(
+                lambda name, program=program: run(
+                    program, [f"--gtest_filter={name}"]),
+                list(names_of_tests(program, tests)))
+            output_file(program).write_text("".join(texts), encoding="utf-8")
 
 
 def results():
@@ -56,9 +83,9 @@ def found(rows, test, pattern):
 NUMBER = r"([-+\de.]+)"
 
 
-def orders(rows, test, quantities):
+def orders(rows, test, quantities, integration=""):
     """Errors on the finest mesh and the orders between all."""
-    pattern = f"{NUMBER} cells: " + "; ".join(
+    pattern = f"{integration}{NUMBER} cells: " + "; ".join(
         f"{quantity} error {NUMBER}, order {NUMBER}"
         for quantity in quantities)
     by_setting = {}
@@ -83,47 +110,75 @@ def static(rows):
 
 
 def within_cells(rows):
-    return orders(rows, "ManufacturedMotionTest", ("displacement", "stress"))
+    return orders(rows, "ManufacturedMotionTest", ("displacement", "stress"),
+                  "particles: ")
+
+
+def of_integrations(rows, test, pattern):
+    """Names and numbers of each setting and integration of stress."""
+    for setting in SETTINGS:
+        for integration in INTEGRATIONS:
+            yield [setting, f"`{integration}`"], [
+                values for name, values in found(
+                    rows, test, f"{integration}: {pattern}")
+                if name == setting]
+
+
+def finite_errors(rows, quantity):
+    """Of the displacement or the stress: the quantity 0 or 1."""
+    columns = ((8, 4), (16, 4), (32, 4), (16, 16), (32, 64))
+    lines = []
+    for head, values in of_integrations(
+            rows, "FiniteMotion",
+            f"{NUMBER} cells, {NUMBER} particles per cell: displacement error "
+            f"{NUMBER}, stress error {NUMBER}"):
+        errors = {(cells, particles): both[quantity]
+                  for cells, particles, *both in values}
+        lines.append(head + [f"{errors[column]:#.2g}" for column in columns])
+    return markdown(["setting", "`Force integration`"] +
+                    [f"{cells}², {particles} particles"
+                     for cells, particles in columns], lines)
 
 
 def finite(rows):
-    lines = {}
-    for setting, (cells, particles, error, _) in found(
-            rows, "ConvergesOnly",
-            f"{NUMBER} cells, {NUMBER} particles per cell: displacement error "
-            f"{NUMBER}, stress error {NUMBER}"):
-        lines.setdefault(setting, {})[(cells, particles)] = error
-    columns = ((8, 4), (16, 4), (32, 4), (16, 16), (32, 64))
-    return markdown(["setting"] + [f"{cells}², {particles} particles"
-                                   for cells, particles in columns],
-                    [[setting] + [f"{errors[column]:.3f}"
-                                  for column in columns]
-                     for setting, errors in lines.items()])
+    return finite_errors(rows, 0)
+
+
+def finite_stress(rows):
+    return finite_errors(rows, 1)
 
 
 def pressure(rows):
-    lines = {}
-    for setting, (_, share) in found(
-            rows, "HasAStiffness",
-            f"{NUMBER} cells: displacement error over pressure .* {NUMBER}$"):
-        lines.setdefault(setting, []).append(f"{share:.2f}")
-    return markdown(["setting", "8²", "16²"],
-                    [[setting] + shares for setting, shares in lines.items()])
+    return markdown(
+        ["setting", "`Force integration`", "8²", "16²"],
+        [head + [f"{share:#.2g}" for _, share in values]
+         for head, values in of_integrations(
+             rows, "EvenPressure", f"{NUMBER} cells: displacement error over "
+             f"pressure .* {NUMBER}$")])
 
 
 def footing(rows):
-    pattern = (r"(.*), (averaged|element): limit / exact " + NUMBER +
-               " with 4 cells, " + NUMBER + " with 8")
-    matches = [re.match(pattern, row["line"]) for row in rows]
-    return markdown(["cells", "`Volumetric strain`", "4 cells", "8 cells"],
-                    [[*match.groups()[:2]] +
-                     [f"{float(text):.2f}" for text in match.groups()[2:]]
-                     for match in matches if match])
+    limits = {}
+    for row in rows:
+        match = re.match(r"(.*), (averaged|element), (particles|cell), "
+                         rf"{NUMBER} cells: limit / exact {NUMBER}",
+                         row["line"])
+        if match:
+            cells, strain, integration, n_cells, limit = match.groups()
+            limits.setdefault((cells, strain), {})[
+                (integration, int(n_cells))] = f"{float(limit):.2f}"
+    columns = (("particles", 4), ("particles", 8), ("cell", 4))
+    return markdown(["cells", "`Volumetric strain`"] +
+                    [f"`{integration}`, {n_cells} cells"
+                     for integration, n_cells in columns],
+                    [[*head] + [values.get(column, "–") for column in columns]
+                     for head, values in limits.items()])
 
 
 def parts(rows):
     return {part.__name__.replace("_", "-"): part(rows)
-            for part in (static, within_cells, finite, pressure, footing)}
+            for part in (static, within_cells, finite, finite_stress,
+                         pressure, footing)}
 
 
 def draw(_):
