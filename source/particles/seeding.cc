@@ -1,3 +1,4 @@
+#include <sandglass/particles/cell_moments.h>
 #include <sandglass/particles/seeding.h>
 
 #include <cmath>
@@ -43,13 +44,10 @@ namespace Sandglass
   double
   InitialConfiguration<cell_type>::volume(const types::particle_index id) const
   {
-    const auto      &shape = geometry.shape(id / points.size());
-    const Point<dim> point = points[id % points.size()];
-    const double     area  = shape.jacobian(point) *
-                        CellShape<cell_type>::reference_area / points.size();
-    return formulation == Formulation::plane_strain ?
-             area :
-             2. * numbers::PI * shape.to_real(point)[0] * area;
+    return part_volume(geometry.shape(id / points.size()),
+                       formulation,
+                       points[id % points.size()],
+                       points.size());
   }
 
 

@@ -37,7 +37,7 @@ struct FlowingSilo : StageFixture
     // As in the paper, and in the plain loop.
     parameters.volumetric_strain = Sandglass::VolumetricStrain::element;
     parameters.force_integration = Sandglass::ForceIntegration::particles;
-    walls.outlet_lip          = Sandglass::WallParameters::OutletLip::floor;
+    walls.outlet_lip             = Sandglass::WallParameters::OutletLip::floor;
     start(make_mesh(silo, MPI_COMM_WORLD));
     geometry = std::make_unique<Geometry>(*scene);
     stage->set_initial_state(

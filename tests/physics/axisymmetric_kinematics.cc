@@ -85,7 +85,7 @@ namespace
         true);
       const StressUpdate<DensityUpdate::paper> update(
         fixture.material.drucker_prager(), fixture.material.density);
-      NodalSums<CellSetting> sums(geometry, 0., ForceIntegration::particles);
+      NodalSums<CellSetting> sums(geometry, 0., {});
       average.compute(fixture.stage->cloud.blocks(), geometry, sums, velocity);
       std::vector<ParticleSlot> strays;
       ParticlePass<CellSetting, DensityUpdate::paper, true>(

@@ -36,7 +36,10 @@ namespace
       fixture.material.poisson_ratio           = 0.;
       fixture.parameters.consistent_mass_share = consistent_mass_share;
       fixture.parameters.end_time              = 1e3;
-      fixture.gravity                          = {};
+      // The closed forms' method.
+      fixture.parameters.volumetric_strain = VolumetricStrain::element;
+      fixture.parameters.force_integration = ForceIntegration::particles;
+      fixture.gravity                      = {};
       fixture.walls.normal_condition =
         WallParameters::NormalCondition::acceleration;
       wave_speed = fixture.material.elasticity().wave_speed(

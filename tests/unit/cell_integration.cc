@@ -1,4 +1,5 @@
-#include <sandglass/particles/cell_integrals.h>
+#include <sandglass/particles/cell_moments.h>
+#include <sandglass/particles/seeding.h>
 
 #include <gtest/gtest.h>
 
@@ -116,48 +117,34 @@ TEST_P(CellIntegrationTest, ForceOfAUniformStressVanishesInside)
 
 
 
-TEST(CellIntegrals, OfARing)
+// Pappus' rule.
+TEST(CellMoments, OfARing)
 {
-  // Pappus' rule.
   const std::array<Point<2>, 3> corners{
     {Point<2>(1., 0.), Point<2>(3., 0.), Point<2>(2., 3.)}};
   const CellShape<CellType::triangle> triangle(corners);
-  const auto of_triangle = integrate_over(triangle, Formulation::axisymmetric);
-  EXPECT_NEAR(of_triangle.volume / (2. * numbers::PI * 2. * 3.), 1., 1e-14);
-  for (const double value : of_triangle.values_over_radius)
-    EXPECT_NEAR(value / (2. * numbers::PI * 3. / 3.), 1., 1e-14);
-
-  const std::array<Point<2>, 4> vertices{
-    {Point<2>(0., 0.), Point<2>(4., 0.), Point<2>(0., 1.), Point<2>(2., 1.)}};
-  const CellShape<CellType::quadrilateral> trapezoid(vertices);
-  const auto                               of_trapezoid =
-    integrate_over(trapezoid, Formulation::axisymmetric);
-  // 2 pi times half the integral of x^2 over the height.
-  EXPECT_NEAR(of_trapezoid.volume / (2. * numbers::PI * 14. / 3.), 1., 1e-14);
-  EXPECT_NEAR(integrate_over(trapezoid, Formulation::plane_strain).volume,
-              3.,
+  EXPECT_NEAR(cell_moments(triangle,
+                           Formulation::axisymmetric,
+                           seed_points(CellType::triangle, 16))
+                  .volume /
+                (2. * numbers::PI * 2. * 3.),
+              1.,
               1e-14);
 }
 
 
 
-// Gauss: over a closed boundary the normal of N_i is the integral of its
-// gradient; half of each edge's belongs to either end.
-TEST(CellIntegrals, OfGradientsAreTheEdges)
+TEST(CellMoments, OfAParallelogram)
 {
   const std::array<Point<2>, 4> vertices{
-    {Point<2>(0., 0.), Point<2>(4., 0.5), Point<2>(0.2, 1.), Point<2>(2., 3.)}};
-  const auto integrals =
-    integrate_over(CellShape<CellType::quadrilateral>(vertices),
-                   Formulation::plane_strain);
-  const unsigned int around[4] = {0, 1, 3, 2};
-  for (unsigned int k = 0; k < 4; ++k)
-    {
-      const Tensor<1, 2> chord =
-        vertices[around[(k + 1) % 4]] - vertices[around[(k + 3) % 4]];
-      EXPECT_NEAR(integrals.gradients[around[k]][0], 0.5 * chord[1], 1e-14);
-      EXPECT_NEAR(integrals.gradients[around[k]][1], -0.5 * chord[0], 1e-14);
-    }
+    {Point<2>(0., 0.), Point<2>(4., 0.), Point<2>(1., 1.), Point<2>(5., 1.)}};
+  const auto moments =
+    cell_moments(CellShape<CellType::quadrilateral>(vertices),
+                 Formulation::plane_strain,
+                 seed_points(CellType::quadrilateral, 9));
+  EXPECT_NEAR(moments.volume, 4., 1e-14);
+  EXPECT_NEAR(moments.mean_point[0], 0.5, 1e-14);
+  EXPECT_NEAR(moments.mean_point[1], 0.5, 1e-14);
 }
 
 

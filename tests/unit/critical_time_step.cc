@@ -18,9 +18,7 @@ namespace
     stage.critical_time_step(); // makes the nodal sums
     const ParticleBlocks                       &blocks = stage.cloud.blocks();
     const CellGeometry<CellType::quadrilateral> geometry(*fixture.scene);
-    NodalSums<Quadrilaterals>                   cells(geometry,
-                                    0.,
-                                    fixture.parameters.force_integration);
+    NodalSums<Quadrilaterals>                   cells(geometry, 0., {});
     cells.compute(blocks);
     MassMatrix<Quadrilaterals> mass_matrix(
       *fixture.scene->nodes,

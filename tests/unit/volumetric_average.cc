@@ -17,7 +17,7 @@ namespace
     VolumetricAverageTest()
       : stage(fixture.start(Rectangle().mesh()))
       , geometry(*fixture.scene)
-      , sums(geometry, 0., ForceIntegration::particles)
+      , sums(geometry, 0., {})
       , average(*fixture.scene->nodes,
                 fixture.scene->triangulation.n_active_cells(),
                 0.9 * fixture.material.density,

@@ -2,9 +2,8 @@
 #define sandglass_particle_stage_cell_integration_h
 
 #include <sandglass/particle_stage/cell_sums.h>
-#include <sandglass/particle_stage/particle_stage_parameters.h>
 #include <sandglass/particles/cell_geometry.h>
-#include <sandglass/particles/cell_integrals.h>
+#include <sandglass/particles/cell_moments.h>
 
 #include <vector>
 
@@ -21,8 +20,9 @@ namespace Sandglass
    * (doc/integration.md).
    *
    * With ForceIntegration::cell the mean of the particles' stress is integrated
-   * over the cell itself, and only the deviations from that mean by the
-   * particles; in plane triangles these cancel. That is the mixed integration
+   * over the cell as its particles fill it at the start, and only the
+   * deviations from that mean by the particles; in plane triangles these
+   * cancel. That is the mixed integration
    * of Al-Kafaji (2013), but for its switch between full and other cells: here
    * the share w of a cell's own integral grows smoothly with the volume ratio r
    * of its stressed particles, w = 1 - (1 - r)^2 up to r = 1. What is left of
@@ -42,14 +42,16 @@ namespace Sandglass
     using Sums                            = CellSums<Setting, double>;
     using OfNodes                         = CellValues<dim, n_nodes>;
 
-    CellIntegration(const Geometry        &geometry,
-                    const ForceIntegration integration)
+    /// @param points  where a cell's particles start, for
+    ///                ForceIntegration::cell; none for that by particles.
+    CellIntegration(const Geometry                &geometry,
+                    const std::vector<Point<dim>> &points)
       : geometry(geometry)
     {
-      if (integration == ForceIntegration::cell)
+      if (!points.empty())
         for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-          integrals.push_back(
-            integrate_over(geometry.shape(cell), Setting::formulation));
+          filled.push_back(
+            cell_moments(geometry.shape(cell), Setting::formulation, points));
     }
 
     /// The volume in m^3 over which stress is integrated in a cell.
@@ -57,10 +59,10 @@ namespace Sandglass
     volume(const unsigned int cell, const Sums &sums) const
     {
       const double of_particles = sums.values[Sums::stiff_volume];
-      return integrals.empty() ?
+      return filled.empty() ?
                of_particles :
                of_particles + filling(cell, of_particles) *
-                                (integrals[cell].volume - of_particles);
+                                (filled[cell].volume - of_particles);
     }
 
     /// Share of the internal force R in N at each of the cell's nodes.
@@ -69,7 +71,7 @@ namespace Sandglass
     {
       OfNodes      result       = sums.internal_force(geometry.shape(cell));
       const double of_particles = sums.values[Sums::stiff_volume];
-      if (integrals.empty() || !(of_particles > 0.))
+      if (filled.empty() || !(of_particles > 0.))
         return result;
 
       if constexpr (Setting::has_uniform_strain)
@@ -83,7 +85,7 @@ namespace Sandglass
         {
           const double *stress = &sums.values[Sums::stress];
           const Weights weights =
-            exchange(cell, sums, integrals[cell].volume / of_particles);
+            exchange(cell, sums, filled[cell].volume / of_particles);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               const auto of_stress = nodal_force(stress[0],
@@ -119,7 +121,7 @@ namespace Sandglass
                 const OfNodes     &velocities) const
     {
       RateChange change;
-      if (integrals.empty() || !(sums.values[Sums::stiff_volume] > 0.))
+      if (filled.empty() || !(sums.values[Sums::stiff_volume] > 0.))
         return change;
       const Weights weights = exchange(cell, sums, 1.);
       change.gradient       = gradient_of(velocities, weights.gradients);
@@ -142,43 +144,53 @@ namespace Sandglass
     filling(const unsigned int cell, const double volume_of_particles) const
     {
       const double empty =
-        std::max(0., 1. - volume_of_particles / integrals[cell].volume);
+        std::max(0., 1. - volume_of_particles / filled[cell].volume);
       return 1. - empty * empty;
     }
 
-    /// w times the mean over the cell, times a factor, less what takes the
-    /// place of the particles' mean: the value at their mean point.
+    /// w times the difference between the values where the mean point of the
+    /// filled cell is, times a factor, and those at the particles' mean point:
+    /// nothing for particles that fill the cell as at the start.
     Weights
     exchange(const unsigned int cell,
              const Sums        &sums,
              const double       factor) const
     {
-      const Shape &shape     = geometry.shape(cell);
-      const auto  &integral  = integrals[cell];
       const double w         = filling(cell, sums.values[Sums::stiff_volume]);
-      const double of_cell   = w * factor / integral.volume;
-      const auto   point     = sums.mean_point();
-      const auto   gradients = shape.shape_gradients(point);
-
-      Weights result;
+      const auto   of_filled = weights(cell, filled[cell].mean_point);
+      Weights      result    = weights(cell, sums.mean_point());
       for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int d = 0; d < dim; ++d)
-          result.gradients[i][d] =
-            of_cell * integral.gradients[i][d] - w * gradients[i][d];
-      if constexpr (Setting::has_hoop_strain)
         {
-          const auto   values = Shape::shape_values(point);
-          const double radius =
-            shape.to_real(Point<dim>(point[0], point[1]))[0];
-          for (unsigned int i = 0; i < n_nodes; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            result.gradients[i][d] =
+              w * (factor * of_filled.gradients[i][d] - result.gradients[i][d]);
+          if constexpr (Setting::has_hoop_strain)
             result.values_over_radius[i] =
-              of_cell * integral.values_over_radius[i] - w * values[i] / radius;
+              w * (factor * of_filled.values_over_radius[i] -
+                   result.values_over_radius[i]);
         }
       return result;
     }
 
-    const Geometry                                &geometry;
-    std::vector<CellIntegrals<Setting::cell_type>> integrals; ///< none: not on
+    Weights
+    weights(const unsigned int cell, const Pair<double> &point) const
+    {
+      const Shape &shape = geometry.shape(cell);
+      Weights      result;
+      result.gradients = shape.shape_gradients(point);
+      if constexpr (Setting::has_hoop_strain)
+        {
+          const double radius =
+            shape.to_real(Point<dim>(point[0], point[1]))[0];
+          result.values_over_radius = Shape::shape_values(point);
+          for (double &value : result.values_over_radius)
+            value /= radius;
+        }
+      return result;
+    }
+
+    const Geometry          &geometry;
+    std::vector<CellMoments> filled; ///< each cell; none: by particles
   };
 } // namespace Sandglass
 

@@ -24,7 +24,9 @@ namespace Sandglass
       , stress_update(material.drucker_prager(), material.density)
       , nodal_sums(geometry,
                    CellStiffness<Setting>::stiff_share * material.density,
-                   parameters.force_integration)
+                   parameters.force_integration == ForceIntegration::cell ?
+                     initial_configuration.points :
+                     std::vector<Point<dim>>())
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , volumetric_average(
           *scene.nodes,

@@ -25,12 +25,13 @@ namespace Sandglass
 
     /// @param smallest_stiff_density  of particles without stress that count as
     ///                                stiff, in kg/m^3.
-    NodalSums(const Geometry        &geometry,
-              const double           smallest_stiff_density,
-              const ForceIntegration integration)
+    /// @param points  see CellIntegration.
+    NodalSums(const Geometry                &geometry,
+              const double                   smallest_stiff_density,
+              const std::vector<Point<dim>> &points)
       : smallest_stiff_density(smallest_stiff_density)
       , geometry(geometry)
-      , integration(geometry, integration)
+      , integration(geometry, points)
       , cells(geometry.n_cells())
     {}
 
