@@ -14,7 +14,8 @@ from sweep_cases import (NAME, SILOS, VARIANTS, WINDOW, cases, outlet_time,
                          runs, sweep_run)
 from tables import markdown, number
 
-COLORS = {"floor": "#1d3557", "free": "#c9822a", "averaged": "#4a7c59"}
+COLORS = {"floor": "#1d3557", "free": "#c9822a", "averaged": "#4a7c59",
+          "cell": "#9b2226"}
 FEWEST = 5  # widths for a fit
 CONFIDENCE = 0.95
 RATE = "flow_rate_kg_per_s"

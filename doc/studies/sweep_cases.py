@@ -39,9 +39,10 @@ class Silo(NamedTuple):
         return 1e6 * outlet / max(self.outlets)
 
 
-def variant(title, lip, strain, seeds=(1,)):
+def variant(title, lip, strain, seeds=(1,), integration="particles"):
     return Variant(title, (("Walls/Outlet lip", lip),
-                           ("Particle stage/Volumetric strain", strain)),
+                           ("Particle stage/Volumetric strain", strain),
+                           ("Particle stage/Force integration", integration)),
                    seeds)
 
 
@@ -50,6 +51,8 @@ VARIANTS = {
     "free": variant("free lip", "free", "element"),
     "averaged": variant("free lip, averaged strain", "free", "averaged",
                         seeds=(1, 2, 3)),
+    "cell": variant("the same, force by cell", "free", "averaged",
+                    integration="cell"),
 }
 SILOS = {
     "plane": Silo("plane", PLANE_SCENE, 4., 7.5, 2., 0.025,
