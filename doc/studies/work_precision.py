@@ -81,7 +81,7 @@ def reference(rows):
             value, uncertainty = references(rows, key, quantity)
             lines.append([f"{silo.title}, {title}", number(value),
                           f"{100 * uncertainty / value:.1f} %"])
-    return markdown(["quantity", "reference", "± "], lines)
+    return markdown(["quantity", "reference", "±"], lines)
 
 
 def by_method(rows, key, cell):
