@@ -209,14 +209,14 @@ TEST_P(FoldingColumnTest, StaysWhole)
 
 
 // That these bounds can be missed: 5 % above the critical step some are, and
-// half above it the energy has grown by 0.4 to 3 of what there was when
-// particles leave the grid.
-TEST_P(FoldingColumnTest, GainsEnergyAboveTheCriticalStep)
+// half above it the energy has grown by a fifth or more of what there was when
+// particles leave the grid, if that isn't before energy is looked at.
+TEST_P(FoldingColumnTest, BreaksAboveTheCriticalStep)
 {
   FoldingColumn column(std::get<0>(GetParam()), std::get<1>(GetParam()));
   column.set_time_step(1.5 * column.fixture.stage->critical_time_step());
   const Course course = run(column, 2.);
-  EXPECT_GT(course.energy_growth, 0.1);
+  EXPECT_TRUE(course.is_broken || course.energy_growth > 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(
