@@ -23,7 +23,9 @@ def mass_run(share, repetition, part):
     value = share if part == "share" else 0
     run = study_run(NAME, f"{share:g}-{part}-{repetition}",
                     auto_scene("plane-flat-bottom", 2),
-                    (("Particle stage/Consistent mass share", value),))
+                    (("Particle stage/Consistent mass share", value),
+                     ("Particle stage/Volumetric strain", "element"),
+                     ("Particle stage/Force integration", "particles")))
     return run._replace(settings=run.settings + WITHOUT_OUTPUT)
 
 
