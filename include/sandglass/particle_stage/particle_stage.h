@@ -39,7 +39,7 @@ namespace Sandglass
 
     /**
      * The critical time step in s for the particles' positions. Collective;
-     * costs about half a step.
+     * costs about two steps.
      */
     virtual double
     critical_time_step() = 0;
