@@ -2,9 +2,8 @@
 #define sandglass_tests_manufactured_motion_h
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
+#include "divergence.h"
 #include "stage_fixture.h"
 
 /**
@@ -97,26 +96,11 @@ struct ManufacturedMotion
   dealii::Tensor<1, 2>
   body_force(const dealii::Point<2> &X, const double time) const
   {
-    constexpr double distance   = 1e-4; // error 1e-7 of the value
-    const auto       derivative = [&](const unsigned int direction) {
-      dealii::Point<2> before = X, after = X;
-      before[direction] -= distance;
-      after[direction] += distance;
-      return Sandglass::SymmetricTensor4(
-        (piola_stress(after, time) - piola_stress(before, time)) /
-        (2. * distance));
+    const auto stress_at = [&](const dealii::Point<2> &point) {
+      return piola_stress(point, time);
     };
-    namespace C                               = Sandglass::Component;
-    const Sandglass::SymmetricTensor4 along_x = derivative(0);
-    const Sandglass::SymmetricTensor4 along_y = derivative(1);
-    dealii::Tensor<1, 2>              divergence(
-      {along_x[C::xx] + along_y[C::xy], along_x[C::xy] + along_y[C::yy]});
-    if (formulation == Sandglass::Formulation::axisymmetric)
-      {
-        const Sandglass::SymmetricTensor4 here = piola_stress(X, time);
-        divergence[0] += (here[C::xx] - here[C::zz]) / X[0];
-        divergence[1] += here[C::xy] / X[0];
-      }
+    const dealii::Tensor<1, 2> divergence =
+      divergence_of(stress_at, X, formulation);
     const double omega = angular_frequency();
     return -omega * omega * displacement(X, time) - divergence / density;
   }
@@ -199,9 +183,7 @@ public:
       std::ceil(end * motion.elasticity.wave_speed(motion.density) * n_cells /
                 courant_number));
     fixture.parameters.end_time = end;
-    std::ostringstream time_step;
-    time_step << std::setprecision(17) << end / n_steps;
-    fixture.parameters.time_step_text = time_step.str();
+    fixture.set_time_step(end / n_steps);
 
     Rectangle rectangle;
     rectangle.cell_type = cell_type;

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include "divergence.h"
+
 /**
  * Settlement of a unit square, or of a cylinder of radius and height 1,
  * between smooth side walls and on a smooth floor, with a free surface:
@@ -66,32 +68,14 @@ struct ManufacturedSettlement
   }
 
   /// What holds it in equilibrium, in m/s^2: minus the divergence of the
-  /// stress over the density, from differences whose error is 1e-7 of it.
+  /// stress over the density.
   dealii::Tensor<1, 2>
   body_force(const dealii::Point<2> &point) const
   {
-    constexpr double distance   = 1e-4;
-    const auto       derivative = [&](const unsigned int direction) {
-      dealii::Point<2> before = point, after = point;
-      before[direction] -= distance;
-      after[direction] += distance;
-      return Sandglass::SymmetricTensor4((stress(after) - stress(before)) /
-                                         (2. * distance));
+    const auto stress_at = [this](const dealii::Point<2> &at) {
+      return stress(at);
     };
-    const Sandglass::SymmetricTensor4 along_x = derivative(0),
-                                      along_y = derivative(1);
-    dealii::Tensor<1, 2> divergence(
-      {along_x[Sandglass::Component::xx] + along_y[Sandglass::Component::xy],
-       along_x[Sandglass::Component::xy] + along_y[Sandglass::Component::yy]});
-    if (formulation == Sandglass::Formulation::axisymmetric)
-      {
-        const Sandglass::SymmetricTensor4 here = stress(point);
-        divergence[0] +=
-          (here[Sandglass::Component::xx] - here[Sandglass::Component::zz]) /
-          point[0];
-        divergence[1] += here[Sandglass::Component::xy] / point[0];
-      }
-    return -1. / density * divergence;
+    return -1. / density * divergence_of(stress_at, point, formulation);
   }
 
   Sandglass::Formulation formulation;

@@ -3,7 +3,10 @@
 
 #include <sandglass/particle_stage/particle_stage.h>
 
+#include <cmath>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 
 #include "rectangle_mesh.h"
 
@@ -57,6 +60,15 @@ struct StageFixture
     return *stage;
   }
 
+  /// Give start() a fixed step in s instead of the automatic one.
+  void
+  set_time_step(const double time_step)
+  {
+    std::ostringstream text;
+    text << std::setprecision(17) << time_step;
+    parameters.time_step_text = text.str();
+  }
+
   /// Call `function(id, position, properties)` for each particle.
   template <typename Function>
   void
@@ -68,6 +80,20 @@ struct StageFixture
                  particle.get_location(),
                  particle.get_properties());
     });
+  }
+
+  /// Whether all that particles carry is a number.
+  bool
+  is_finite() const
+  {
+    bool result = true;
+    for_each_particle([&](auto, const auto &position, auto state) {
+      double sum = position[0] + position[1];
+      for (const double value : state)
+        sum += value;
+      result = result && std::isfinite(sum);
+    });
+    return result;
   }
 };
 

@@ -40,6 +40,12 @@ def rows_at(directory, time):
             if row["time_s"] == nearest]
 
 
+def wall_force(directory, time):
+    """Normal force on the vertical wall, in N; plane: per metre."""
+    return integral_along([row for row in rows_at(directory, time)
+                           if row["wall"] == "wall"], "normal_Pa")
+
+
 def tractions(name, times):
     """Normal / tangential means in kPa."""
     if not run_output.has_ended(OUTPUT / name):

@@ -6,7 +6,7 @@ from runs import make_all
 from seed_cases import (ALGORITHMS, CASES, END_TIMES, NAME, SEEDS, runs,
                         seed_run)
 from tables import markdown, number
-from traction_tables import integral_along, rows_at
+from traction_tables import wall_force
 
 QUANTITIES = {
     "steady_flow_rate_kg_per_s": "steady flow rate, kg/(s m) or kg/s",
@@ -36,7 +36,6 @@ def results():
 
 def measured(silo, directory):
     summary = run_output.read_summary(directory)
-    wall = [row for row in rows_at(directory, 0) if row["wall"] == "wall"]
     return {
         "cells": summary["cells"],
         "steady_flow_rate_kg_per_s": summary["steady_flow_rate_kg_per_s"],
@@ -46,7 +45,7 @@ def measured(silo, directory):
             else summary["flow_rate_plateau_kg_per_s"],
         "discharge_time_s": (summary["discharge_time_s"]
                              if silo == "plane-hopper" else None),
-        "wall_pressure_at_rest_N_per_m": integral_along(wall, "normal_Pa")}
+        "wall_pressure_at_rest_N_per_m": wall_force(directory, 0)}
 
 
 def spread(values):

@@ -1,13 +1,10 @@
 """The runs of the work-precision study."""
 from typing import NamedTuple
 
-from outlet_sweep import outlet_time
 from study_runs import WITHOUT_FIELDS, auto_scene, study_run
+from sweep_cases import WINDOW, outlet_time
 
 NAME = "work-precision"
-
-# As in the outlet sweep: the rate's and the wall force's times in sqrt(D/g).
-WINDOW = (3., 5.)
 
 
 class Silo(NamedTuple):

@@ -1,12 +1,13 @@
 """Time and particle-steps against the error of what users ask for."""
 import run_output
-from outlet_sweep import mean_rate, outlet_time
+from outlet_sweep import mean_rate
 from plots import STYLE, plt, save
 from runs import make_all
+from sweep_cases import WINDOW, outlet_time
 from tables import markdown, number
-from traction_tables import integral_along, rows_at
-from work_cases import (BY_PARTICLES, METHODS, NAME, REFERENCES, SILOS, WINDOW, cases, runs,
-                        work_run)
+from traction_tables import wall_force
+from work_cases import (BY_PARTICLES, METHODS, NAME, REFERENCES, SILOS, cases,
+                        runs, work_run)
 
 QUANTITIES = {"flow_rate": "flow rate", "wall_at_rest": "wall force at rest",
               "wall_in_flow": "wall force in flow"}
@@ -45,15 +46,12 @@ def measured(key, directory):
     """The rate in kg/s, wall forces in N; plane: per metre."""
     unit = outlet_time(SILOS[key].outlet)
     table = run_output.read_table(directory, "flow_rate.csv")
-
-    def wall_force(time):
-        return integral_along([row for row in rows_at(directory, time)
-                               if row["wall"] == "wall"], "normal_Pa")
     times = [step * unit for step in range(int(WINDOW[0]) + 1,
                                            int(WINDOW[1]) + 1)]
     return {"flow_rate": mean_rate(table, unit, *WINDOW),
-            "wall_at_rest": wall_force(0.),
-            "wall_in_flow": sum(map(wall_force, times)) / len(times)}
+            "wall_at_rest": wall_force(directory, 0.),
+            "wall_in_flow": (sum(wall_force(directory, time)
+                                 for time in times) / len(times))}
 
 
 def references(rows, key, quantity):

@@ -35,24 +35,21 @@ namespace Sandglass
     {
       if (!parameters.static_stage.is_enabled)
         return {};
-      std::optional<StaticStage> static_stage;
-      StaticState                state;
-      {
-        TimerOutput::Scope scope(timings, Timing::static_stage);
-        static_stage.emplace(stage.scene,
-                             parameters.material,
-                             parameters.walls,
-                             parameters.static_stage,
-                             log.stream());
-        state = static_stage->run();
-        carry_to_particles(state,
-                           stage,
-                           parameters.static_stage.displaces_particles);
-      }
+      TimerOutput::Scope static_scope(timings, Timing::static_stage);
+      StaticStage        static_stage(stage.scene,
+                               parameters.material,
+                               parameters.walls,
+                               parameters.static_stage,
+                               log.stream());
+      const StaticState  state = static_stage.run();
+      carry_to_particles(state,
+                         stage,
+                         parameters.static_stage.displaces_particles);
+      static_scope.stop();
       if (parameters.output.writes_grid)
         {
-          TimerOutput::Scope scope(timings, Timing::output);
-          static_stage->write_vtu(parameters.output.directory);
+          TimerOutput::Scope output_scope(timings, Timing::output);
+          static_stage.write_vtu(parameters.output.directory);
         }
       return state.wall_forces;
     }

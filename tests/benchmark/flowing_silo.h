@@ -29,11 +29,8 @@ struct FlowingSilo : StageFixture
     silo.element_size = 0.025 / refinement;
     formulation       = silo.formulation;
 
-    const double       time_step = 0.01 * silo.element_size; // Tables II, IV
-    std::ostringstream text;
-    text << time_step;
-    parameters.time_step_text = text.str();
-    parameters.end_time       = 1e3;
+    set_time_step(0.01 * silo.element_size); // Tables II, IV
+    parameters.end_time = 1e3;
     // As in the paper, and in the plain loop.
     parameters.volumetric_strain = Sandglass::VolumetricStrain::element;
     parameters.force_integration = Sandglass::ForceIntegration::particles;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <sstream>
 
 #include "stage_fixture.h"
 
@@ -114,10 +113,7 @@ namespace
       const double wave_speed = fixture.material.elasticity().wave_speed(
         fixture.material.density / volume_ratio);
       period = 2. * n_elements * h / wave_speed;
-      std::ostringstream time_step;
-      time_step.precision(17);
-      time_step << relative_time_step * h / wave_speed;
-      fixture.parameters.time_step_text = time_step.str();
+      fixture.set_time_step(relative_time_step * h / wave_speed);
 
       Rectangle rectangle;
       rectangle.cell_type = cell_type;

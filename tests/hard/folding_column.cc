@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "../stage_fixture.h"
@@ -56,9 +54,7 @@ namespace
     void
     set_time_step(const double time_step)
     {
-      std::ostringstream text;
-      text << std::setprecision(17) << time_step;
-      fixture.parameters.time_step_text = text.str();
+      fixture.set_time_step(time_step);
       fixture.start(mesh);
     }
 
@@ -120,18 +116,6 @@ namespace
       return result;
     }
 
-    bool
-    is_finite() const
-    {
-      bool result = true;
-      fixture.for_each_particle([&](auto, const auto &position, auto state) {
-        result = result && std::isfinite(position[0] + position[1]);
-        for (const double value : state)
-          result = result && std::isfinite(value);
-      });
-      return result;
-    }
-
     StageFixture fixture;
 
   private:
@@ -155,29 +139,33 @@ namespace
     auto        &stage = *column.fixture.stage;
     Course       course;
     const double mass = column.mass(), scale = column.energy();
-    double       lowest = scale;
+    double       lowest  = scale;
+    const auto   observe = [&]() {
+      const double energy = column.energy();
+      lowest              = std::min(lowest, energy);
+      course.energy_growth =
+        std::max(course.energy_growth, (energy - lowest) / scale);
+      const auto crowding = column.crowding();
+      course.filling      = std::max(course.filling, crowding.filling);
+      course.folding      = std::max(course.folding, crowding.folding);
+      course.mass_change =
+        std::max(course.mass_change, std::abs(column.mass() / mass - 1.));
+      course.is_finite = course.is_finite && column.fixture.is_finite();
+    };
     try
       {
         while (stage.clock.time < end_time)
           {
             for (unsigned int i = 0; i < 20; ++i)
               stage.step();
-            const double energy = column.energy();
-            lowest              = std::min(lowest, energy);
-            course.energy_growth =
-              std::max(course.energy_growth, (energy - lowest) / scale);
-            const auto crowding = column.crowding();
-            course.filling      = std::max(course.filling, crowding.filling);
-            course.folding      = std::max(course.folding, crowding.folding);
-            course.mass_change =
-              std::max(course.mass_change, std::abs(column.mass() / mass - 1.));
-            course.is_finite = course.is_finite && column.is_finite();
+            observe();
           }
       }
     catch (const RunError &error)
       {
         course.is_broken = true;
         std::cout << error.what() << std::endl;
+        observe();
       }
     std::cout << "energy growth " << course.energy_growth
               << ", largest filling " << course.filling << ", folding "
@@ -210,13 +198,13 @@ TEST_P(FoldingColumnTest, StaysWhole)
 
 // That these bounds can be missed: 5 % above the critical step some are, and
 // half above it the energy has grown by a fifth or more of what there was when
-// particles leave the grid, if that isn't before energy is looked at.
-TEST_P(FoldingColumnTest, BreaksAboveTheCriticalStep)
+// particles leave the grid.
+TEST_P(FoldingColumnTest, GainsEnergyAboveTheCriticalStep)
 {
   FoldingColumn column(std::get<0>(GetParam()), std::get<1>(GetParam()));
   column.set_time_step(1.5 * column.fixture.stage->critical_time_step());
   const Course course = run(column, 2.);
-  EXPECT_TRUE(course.is_broken || course.energy_growth > 0.1);
+  EXPECT_GT(course.energy_growth, 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(

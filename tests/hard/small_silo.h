@@ -80,19 +80,6 @@ struct SmallSilo
     return totals().mass_discharged() / initial_mass;
   }
 
-  bool
-  is_finite() const
-  {
-    bool result = true;
-    fixture.for_each_particle([&](auto, const auto &position, auto state) {
-      double sum = position[0] + position[1];
-      for (unsigned int i = 0; i < Sandglass::Property::n_properties; ++i)
-        sum += state[i];
-      result = result && std::isfinite(sum);
-    });
-    return result;
-  }
-
   /// Let it flow: nothing may be lost, thrown out or not a number.
   void
   expect_sound_flow_until(const double time)
@@ -101,7 +88,7 @@ struct SmallSilo
     std::cout << "discharged " << discharged_share()
               << ", largest speed / free fall " << speed << ", steps "
               << fixture.stage->clock.step << std::endl;
-    EXPECT_TRUE(is_finite());
+    EXPECT_TRUE(fixture.is_finite());
     EXPECT_NEAR(mass_error(), 0., 1e-12);
     EXPECT_EQ(totals().mass_lost, 0.);
     EXPECT_LT(speed, 1.5);

@@ -44,10 +44,7 @@ namespace
         WallParameters::NormalCondition::acceleration;
       wave_speed = fixture.material.elasticity().wave_speed(
         fixture.material.density / volume_ratio);
-      std::ostringstream time_step;
-      time_step.precision(17);
-      time_step << relative_time_step * h / wave_speed;
-      fixture.parameters.time_step_text = time_step.str();
+      fixture.set_time_step(relative_time_step * h / wave_speed);
 
       Rectangle rectangle;
       rectangle.cell_type = CellType::quadrilateral;

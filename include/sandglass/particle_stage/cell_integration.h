@@ -22,11 +22,11 @@ namespace Sandglass
    * With ForceIntegration::cell the mean of the particles' stress is integrated
    * over the cell as its particles fill it at the start, and only the
    * deviations from that mean by the particles; in plane triangles these
-   * cancel. That is the mixed integration
-   * of Al-Kafaji (2013), but for its switch between full and other cells: here
-   * the share w of a cell's own integral grows smoothly with the volume ratio r
-   * of its stressed particles, w = 1 - (1 - r)^2 up to r = 1. What is left of
-   * the particles' integral serves free surfaces.
+   * cancel. That is the mixed integration of Al-Kafaji (2013), but for its
+   * switch between full and other cells: here the share w of a cell's own
+   * integral grows smoothly with the volume ratio r of its stressed particles,
+   * w = 1 - (1 - r)^2 up to r = 1. What is left of the particles' integral
+   * serves free surfaces.
    *
    * The particles' mean strain is exchanged in the same way, so that forces and
    * strains belong to one energy: otherwise the stiffness is not symmetric, and
@@ -50,8 +50,13 @@ namespace Sandglass
     {
       if (!points.empty())
         for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-          filled.push_back(
-            cell_moments(geometry.shape(cell), Setting::formulation, points));
+          {
+            const CellMoments moments =
+              cell_moments(geometry.shape(cell), Setting::formulation, points);
+            volumes.push_back(moments.volume);
+            if constexpr (!Setting::has_uniform_strain)
+              weights_of_filled.push_back(weights(cell, moments.mean_point));
+          }
     }
 
     /// The volume in m^3 over which stress is integrated in a cell.
@@ -59,10 +64,9 @@ namespace Sandglass
     volume(const unsigned int cell, const Sums &sums) const
     {
       const double of_particles = sums.values[Sums::stiff_volume];
-      return filled.empty() ?
-               of_particles :
-               of_particles + filling(cell, of_particles) *
-                                (filled[cell].volume - of_particles);
+      return volumes.empty() ? of_particles :
+                               of_particles + filling(cell, of_particles) *
+                                                (volumes[cell] - of_particles);
     }
 
     /// Share of the internal force R in N at each of the cell's nodes.
@@ -71,7 +75,7 @@ namespace Sandglass
     {
       OfNodes      result       = sums.internal_force(geometry.shape(cell));
       const double of_particles = sums.values[Sums::stiff_volume];
-      if (filled.empty() || !(of_particles > 0.))
+      if (volumes.empty() || !(of_particles > 0.))
         return result;
 
       if constexpr (Setting::has_uniform_strain)
@@ -85,7 +89,7 @@ namespace Sandglass
         {
           const double *stress = &sums.values[Sums::stress];
           const Weights weights =
-            exchange(cell, sums, filled[cell].volume / of_particles);
+            exchange(cell, sums, volumes[cell] / of_particles);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               const auto of_stress = nodal_force(stress[0],
@@ -121,7 +125,7 @@ namespace Sandglass
                 const OfNodes     &velocities) const
     {
       RateChange change;
-      if (filled.empty() || !(sums.values[Sums::stiff_volume] > 0.))
+      if (volumes.empty() || !(sums.values[Sums::stiff_volume] > 0.))
         return change;
       const Weights weights = exchange(cell, sums, 1.);
       change.gradient       = gradient_of(velocities, weights.gradients);
@@ -144,7 +148,7 @@ namespace Sandglass
     filling(const unsigned int cell, const double volume_of_particles) const
     {
       const double empty =
-        std::max(0., 1. - volume_of_particles / filled[cell].volume);
+        std::max(0., 1. - volume_of_particles / volumes[cell]);
       return 1. - empty * empty;
     }
 
@@ -156,9 +160,9 @@ namespace Sandglass
              const Sums        &sums,
              const double       factor) const
     {
-      const double w         = filling(cell, sums.values[Sums::stiff_volume]);
-      const auto   of_filled = weights(cell, filled[cell].mean_point);
-      Weights      result    = weights(cell, sums.mean_point());
+      const double   w         = filling(cell, sums.values[Sums::stiff_volume]);
+      const Weights &of_filled = weights_of_filled[cell];
+      Weights        result    = weights(cell, sums.mean_point());
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
           for (unsigned int d = 0; d < dim; ++d)
@@ -189,8 +193,11 @@ namespace Sandglass
       return result;
     }
 
-    const Geometry          &geometry;
-    std::vector<CellMoments> filled; ///< each cell; none: by particles
+    const Geometry &geometry;
+    /// Of each filled cell, in m^3; none where particles integrate.
+    std::vector<double> volumes;
+    /// At each filled cell's mean point, if strain is not uniform anyway.
+    std::vector<Weights> weights_of_filled;
   };
 } // namespace Sandglass
 

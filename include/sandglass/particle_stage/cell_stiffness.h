@@ -143,10 +143,9 @@ namespace Sandglass
       matrix += state.volume() * strains.transpose() * stresses;
     }
 
-    const Elasticity elasticity;
-    const Geometry  &geometry;
-    std::vector<Matrix>
-      matrices; ///< of each cell, unless Setting::has_uniform_strain
+    const Elasticity    elasticity;
+    const Geometry     &geometry;
+    std::vector<Matrix> matrices; ///< of each cell, unless strain is uniform
   };
 } // namespace Sandglass
 
