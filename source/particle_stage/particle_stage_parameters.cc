@@ -91,6 +91,17 @@ namespace Sandglass
       "material; kept at its start; as in the paper but at least half the "
       "material's density; or as in the paper, with stress only while the "
       "particle is at least as dense as the unstressed material.");
+    add_selection<SplitParticles>(
+      *this,
+      "Split particles",
+      split_particles,
+      {{"never", SplitParticles::never},
+       {"in graded meshes", SplitParticles::in_graded_meshes},
+       {"always", SplitParticles::always}},
+      "Whether particles that are too large for the cell that they have come "
+      "to are halved: never (paper), in meshes whose cells' areas differ by "
+      "more than a factor of six, or always. Without it small cells hold few "
+      "particles or none.");
     add_selection<OnLostParticle>(
       *this,
       "On lost particle",

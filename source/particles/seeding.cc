@@ -36,6 +36,7 @@ namespace Sandglass
     : points(seed_points(cell_type, scene.particles_per_cell))
     , formulation(scene.formulation)
     , geometry(geometry)
+    , n_ids(points.size() * geometry.n_cells())
   {}
 
 

@@ -103,6 +103,14 @@ namespace Sandglass
                Bounds::greater_than(0.),
                "m",
                "Edge length of the cells.");
+    add_number(*this,
+               "Outlet element size",
+               outlet_element_size,
+               Bounds::at_least(0.),
+               "m",
+               "Edge length of the cells at the outlet's lip, which grows by "
+               "0.2 of the distance from there up to Element size (Cell type "
+               "= triangle only); 0 takes Element size everywhere.");
     add_selection<MeshAlgorithm>(
       *this,
       "Mesh algorithm",
@@ -176,6 +184,14 @@ namespace Sandglass
                        to_text(outlet_half_width),
                        "allowed is less than the silo's Half width of " +
                          to_text(half_width) + " m");
+    check_element_size();
+  }
+
+
+
+  void
+  SceneParameters::check_element_size() const
+  {
     if (element_size > outlet_half_width)
       throw InputError("Scene",
                        "Element size",
@@ -189,7 +205,20 @@ namespace Sandglass
                        to_text(element_size),
                        "allowed is at most the Wall height of " +
                          to_text(wall_height) + " m");
+    if (outlet_element_size > element_size)
+      throw InputError("Scene",
+                       "Outlet element size",
+                       to_text(outlet_element_size),
+                       "allowed is at most the Element size of " +
+                         to_text(element_size) + " m");
+    if (is_graded() && cell_type == CellType::quadrilateral)
+      throw InputError("Scene",
+                       "Outlet element size",
+                       to_text(outlet_element_size),
+                       "allowed is 0 with Cell type = quadrilateral, since "
+                       "quadrilaterals are structured");
   }
+
 
 
   void

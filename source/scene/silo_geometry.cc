@@ -1,4 +1,5 @@
 #include <sandglass/scene/boundary_role.h>
+#include <sandglass/scene/mesh_size.h>
 #include <sandglass/scene/silo_geometry.h>
 
 #include <gmsh.h>
@@ -40,6 +41,10 @@ namespace Sandglass
         else
           add_blocks();
         gmsh::model::geo::synchronize();
+        if (parameters.is_graded())
+          grade_mesh_size(lips,
+                          parameters.outlet_element_size,
+                          parameters.element_size);
         for (const auto &[name, lines] : lines_named)
           gmsh::model::setPhysicalName(1,
                                        gmsh::model::addPhysicalGroup(1, lines),
@@ -95,6 +100,9 @@ namespace Sandglass
 
         const int left_lip  = point(outlet_left, 0.);
         const int right_lip = point(outlet_right, 0.);
+        lips                = {right_lip};
+        if (!is_half)
+          lips.push_back(left_lip);
         const int wall_foot = point(right_end, e);
         const int wall_top  = point(right_end, h);
         const int left_top  = point(left_end, h);
@@ -277,6 +285,7 @@ namespace Sandglass
       /// What lies between outlet and wall.
       const BoundaryRole bottom_role;
 
+      std::vector<int> lips; ///< points where free triangles may be smaller
       std::map<std::string, std::vector<int>> lines_named, surfaces_named;
     };
   } // namespace

@@ -1,6 +1,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/observers/silo_measures.h>
 #include <sandglass/observers/wall_lines.h>
+#include <sandglass/particle_stage/particle_splitting.h>
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/walls/boundary_nodes.h>
 
@@ -185,6 +186,99 @@ TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
             return other.distance(Point<dim>(-vertex[0], vertex[1])) < 1e-9;
           }));
     }
+}
+
+
+
+namespace
+{
+  /// Mean length in m of the edges between two distances from a point.
+  double
+  mean_edge(const Mesh       &mesh,
+            const Point<dim> &point,
+            const double      from,
+            const double      to)
+  {
+    double       sum = 0.;
+    unsigned int n   = 0;
+    for (const auto &cell : mesh.cells)
+      for (unsigned int v = 0; v < 3; ++v)
+        {
+          const auto  &a        = mesh.vertices[cell.vertices[v]];
+          const auto  &b        = mesh.vertices[cell.vertices[(v + 1) % 3]];
+          const double distance = point.distance((a + b) / 2.);
+          if (distance > from && distance < to)
+            {
+              sum += a.distance(b);
+              ++n;
+            }
+        }
+    return sum / n;
+  }
+} // namespace
+
+
+
+TEST(GradedSilo, CellsGrowFromTheLips)
+{
+  StageFixture::ClearedParameters cleared;
+  SceneParameters                 silo;
+  silo.element_size        = 0.1;
+  silo.outlet_element_size = 0.0125;
+  for (const bool is_symmetric : {true, false})
+    {
+      silo.is_symmetric = is_symmetric;
+      silo.check();
+      const Mesh mesh = mesh_silo(silo);
+      for (const double x : {-0.225, 0.225})
+        {
+          if (x < 0. && is_symmetric)
+            continue;
+          const Point<dim> lip(x, 0.);
+          EXPECT_NEAR(mean_edge(mesh, lip, 0., 0.02) / 0.0125, 1., 0.25);
+          EXPECT_NEAR(mean_edge(mesh, lip, 0.15, 0.25) / 0.0525, 1., 0.15);
+        }
+      EXPECT_NEAR(mean_edge(mesh, {0., 1.4}, 0., 0.5) / 0.1, 1., 0.1);
+    }
+}
+
+
+
+TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
+{
+  StageFixture::ClearedParameters cleared;
+  SceneParameters                 silo;
+  silo.element_size = 0.1;
+  const Mesh mesh   = mesh_silo(silo);
+
+  silo.outlet_element_size = silo.element_size;
+  const Mesh same          = mesh_silo(silo);
+  ASSERT_EQ(mesh.vertices.size(), same.vertices.size());
+  for (unsigned int i = 0; i < mesh.vertices.size(); ++i)
+    EXPECT_EQ(mesh.vertices[i], same.vertices[i]);
+}
+
+
+
+TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
+{
+  using Plane = Setting<Formulation::plane_strain, CellType::triangle>;
+  StageFixture::ClearedParameters cleared;
+  SceneParameters                 silo;
+  silo.element_size = 0.1;
+  for (const double size : {0., 0.025})
+    for (const unsigned int seed : {1, 2, 3})
+      {
+        silo.outlet_element_size = size;
+        silo.mesh_seed           = seed;
+        const Scene scene(
+          mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+        const CellGeometry<CellType::triangle>         geometry(scene);
+        const InitialConfiguration<CellType::triangle> points(scene, geometry);
+        const ParticleSplitting<Plane>                 splitting(
+          geometry, points, scene.mesh, 1., SplitParticles::in_graded_meshes);
+        EXPECT_EQ(splitting.is_on(), size > 0.);
+      }
 }
 
 

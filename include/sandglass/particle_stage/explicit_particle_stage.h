@@ -4,6 +4,7 @@
 #include <sandglass/particle_stage/critical_time_step.h>
 #include <sandglass/particle_stage/nodal_equations.h>
 #include <sandglass/particle_stage/particle_pass.h>
+#include <sandglass/particle_stage/particle_splitting.h>
 #include <sandglass/particle_stage/particle_stage.h>
 
 namespace Sandglass
@@ -35,6 +36,11 @@ namespace Sandglass
           parameters.volumetric_strain == VolumetricStrain::averaged)
       , critical(material.elasticity(), geometry, scene)
       , relocation(scene, geometry, walls, parameters)
+      , splitting(geometry,
+                  initial_configuration,
+                  scene.mesh,
+                  material.density,
+                  parameters.split_particles)
     {
       seed_particles();
       if (parameters.has_automatic_time_step)
@@ -77,6 +83,10 @@ namespace Sandglass
       particle_steps += cloud.n_locally_owned_particles();
       nodal_sums.add(cloud.blocks(), relocation.relocate(strays, cloud, clock));
       contact.add_impulses(relocation.wall_impulses);
+      if (splitting.is_on() && clock.step % splitting.interval == 0)
+        splitting.split(cloud.change_blocks(),
+                        fields.mapped_velocity,
+                        nodal_sums);
       scatter_sums();
       // Step 10
       clock.time += clock.time_step;
@@ -247,6 +257,7 @@ namespace Sandglass
     VolumetricAverage<Setting>                     volumetric_average;
     CriticalTimeStep<Setting>                      critical;
     Relocation<Setting::cell_type>                 relocation;
+    ParticleSplitting<Setting>                     splitting;
 
     /// Of the particles that `nodal_sums` hold; none yet.
     unsigned int edition_of_sums = numbers::invalid_unsigned_int;

@@ -41,16 +41,23 @@ namespace Sandglass
     {
       run_with_widest_vectors([&]() {
         for_each_filled_cell(blocks, [&](const unsigned int cell) {
-          OfBlocks sums;
-          sums.clear();
-          blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
-            sums.add(load_state(blocks[block]),
-                     smallest_stiff_density,
-                     geometry.shape(cell));
-          });
-          sum_lanes(sums.values, cells[cell].values);
+          compute(blocks, cell);
         });
       });
+    }
+
+    /// The same for the particles of one cell.
+    void
+    compute(const ParticleBlocks &blocks, const unsigned int cell)
+    {
+      OfBlocks sums;
+      sums.clear();
+      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+        sums.add(load_state(blocks[block]),
+                 smallest_stiff_density,
+                 geometry.shape(cell));
+      });
+      sum_lanes(sums.values, cells[cell].values);
     }
 
     /// Add particles that have just come into their cells, in this order.

@@ -39,6 +39,14 @@ namespace Sandglass
     averaged ///< over its cell's neighbours, against locking
   };
 
+  /// When particles that are too large for their cell are halved.
+  enum class SplitParticles
+  {
+    never, ///< as in the paper
+    in_graded_meshes,
+    always
+  };
+
   /// Section `Particle stage`: the explicit particle-in-cell stage.
   class ParticleStageParameters : public dealii::ParameterAcceptor
   {
@@ -61,6 +69,7 @@ namespace Sandglass
     StressIntegration stress_integration    = StressIntegration::start_of_step;
     ForceIntegration  force_integration     = ForceIntegration::cell;
     DensityUpdate     density_update        = DensityUpdate::separation;
+    SplitParticles    split_particles       = SplitParticles::in_graded_meshes;
     OnLostParticle    on_lost_particle      = OnLostParticle::stop;
     double            largest_speed         = 10.;
 

@@ -5,6 +5,8 @@
 
 #include <sandglass/particles/cell_geometry.h>
 
+#include <array>
+#include <limits>
 #include <vector>
 
 namespace Sandglass
@@ -21,6 +23,10 @@ namespace Sandglass
    * Initial data of a particle that follow from its id alone: particle k of
    * cell c has the id n c + k, with n particles per cell. Particles therefore
    * needn't carry what never changes.
+   *
+   * Halves of a particle have ids of their own: the N initial ones are followed
+   * by N for their first halves, N for their second halves, and so on, so that
+   * the id modulo N is that of the initial particle.
    */
   template <CellType cell_type>
   class InitialConfiguration
@@ -33,8 +39,26 @@ namespace Sandglass
     Point<dim>
     position(const types::particle_index id) const
     {
-      return geometry.shape(id / points.size())
-        .to_real(points[id % points.size()]);
+      const types::particle_index initial = id % n_ids;
+      return geometry.shape(initial / points.size())
+        .to_real(points[initial % points.size()]);
+    }
+
+    /// Whether there are ids for the halves of a particle.
+    bool
+    has_halves(const types::particle_index id) const
+    {
+      constexpr auto largest =
+        std::numeric_limits<types::particle_index>::max();
+      return id / n_ids < (largest / n_ids - 3) / 2;
+    }
+
+    /// Ids of the halves of a particle for which has_halves() holds.
+    std::array<types::particle_index, 2>
+    halves(const types::particle_index id) const
+    {
+      const types::particle_index first = id + n_ids * (id / n_ids + 1);
+      return {{first, first + n_ids}};
     }
 
     /**
@@ -49,6 +73,7 @@ namespace Sandglass
   private:
     const Formulation              formulation;
     const CellGeometry<cell_type> &geometry;
+    const types::particle_index    n_ids; ///< of initial particles
   };
 } // namespace Sandglass
 

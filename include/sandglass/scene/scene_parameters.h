@@ -43,6 +43,7 @@ namespace Sandglass
     double        hopper_height       = 0.;
     double        fall_region_depth   = 0.65;
     double        element_size        = 0.025;
+    double        outlet_element_size = 0.; ///< 0: as element_size
     MeshAlgorithm mesh_algorithm      = MeshAlgorithm::frontal_delaunay;
     unsigned int  mesh_seed           = 1;
     CellType      cell_type           = CellType::triangle;
@@ -59,6 +60,13 @@ namespace Sandglass
       return hopper_height + wall_height;
     }
 
+    /// Whether cells are smaller at the outlet's lip than elsewhere.
+    bool
+    is_graded() const
+    {
+      return outlet_element_size > 0. && outlet_element_size < element_size;
+    }
+
     /// Throws InputError where values contradict each other.
     void
     check() const;
@@ -67,6 +75,10 @@ namespace Sandglass
     /// The part of check() for whole sections and outlets beside the middle.
     void
     check_symmetry() const;
+
+    /// The part of check() for lengths of cells.
+    void
+    check_element_size() const;
   };
 } // namespace Sandglass
 

@@ -1,0 +1,218 @@
+#ifndef sandglass_particle_stage_particle_splitting_h
+#define sandglass_particle_stage_particle_splitting_h
+
+#include <sandglass/particle_stage/nodal_sums.h>
+#include <sandglass/particle_stage/particle_stage_parameters.h>
+#include <sandglass/particles/cell_moments.h>
+#include <sandglass/particles/seeding.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Halves particles that are too large for the cells that they have come to,
+   * which otherwise hold few or none: where cells become smaller along the way
+   * (doc/graded-meshes.md).
+   *
+   * Too large means 1.5 times the mass that a particle starts with in that cell
+   * or more. The halves have the parent's velocity, stress and density, and lie
+   * on both sides of where it was, along the principal extension of the
+   * deformation, since there the gaps are. So mass, momentum, angular momentum,
+   * energy and centre of mass stay as they are. Separated particles are left
+   * alone.
+   */
+  template <typename Setting>
+  class ParticleSplitting
+  {
+  public:
+    using Geometry      = CellGeometry<Setting::cell_type>;
+    using Configuration = InitialConfiguration<Setting::cell_type>;
+
+    /// Steps between two looks: a particle takes more to cross a cell.
+    static constexpr unsigned int interval = 16;
+
+    /**
+     * @param mesh          tells which cells are filled.
+     * @param full_density  of unstressed material, in kg/m^3.
+     */
+    ParticleSplitting(const Geometry      &geometry,
+                      const Configuration &initial_configuration,
+                      const Mesh          &mesh,
+                      const double         full_density,
+                      const SplitParticles when)
+      : geometry(geometry)
+      , initial_configuration(initial_configuration)
+      , full_density(full_density)
+    {
+      if (when == SplitParticles::always ||
+          (when == SplitParticles::in_graded_meshes && is_graded(mesh)))
+        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+          largest_mass.push_back(largest_share * full_density *
+                                 seeded_volume(cell));
+    }
+
+    bool
+    is_on() const
+    {
+      return !largest_mass.empty();
+    }
+
+    /**
+     * @param velocity  v^L of step 7 in m/s, with its ghosts.
+     * @param[in,out] sums  stay those of the particles.
+     */
+    void
+    split(ParticleBlocks        &blocks,
+          const NodalField<dim> &velocity,
+          NodalSums<Setting>    &sums)
+    {
+      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        find_large_particles(blocks, cell);
+        if (large.empty())
+          return;
+        const auto direction = principal_extension(cell, velocity);
+        halves.clear();
+        for (const ParticleSlot &slot : large)
+          halve(slot, direction, blocks);
+        for (const Parcel &half : halves)
+          blocks.insert(half);
+        if (!halves.empty())
+          sums.compute(blocks, cell);
+      });
+    }
+
+  private:
+    /// Of the mass that a particle starts with in the cell.
+    static constexpr double largest_share = 1.5;
+
+    /// Distance of a half from its parent, over the root of the parent's area.
+    static constexpr double reach = 0.3;
+
+    /// Smallest face distance of a half, in cells.
+    static constexpr double margin = 1e-3;
+
+    /// Mean volume of the cell's initial particles in m^3.
+    double
+    seeded_volume(const unsigned int cell) const
+    {
+      const auto &points = initial_configuration.points;
+      return cell_moments(geometry.shape(cell), Setting::formulation, points)
+               .volume /
+             points.size();
+    }
+
+    /// Meshes of one size have areas within a factor of four.
+    bool
+    is_graded(const Mesh &mesh) const
+    {
+      constexpr double largest_ratio = 6.;
+      double           smallest      = std::numeric_limits<double>::max();
+      double           largest       = 0.;
+      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+        if (mesh.cells[cell].is_filled)
+          {
+            const double area =
+              geometry.shape(cell).jacobian(initial_configuration.points[0]);
+            smallest = std::min(smallest, area);
+            largest  = std::max(largest, area);
+          }
+      return largest > largest_ratio * smallest;
+    }
+
+    void
+    find_large_particles(const ParticleBlocks &blocks, const unsigned int cell)
+    {
+      large.clear();
+      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+        const auto is_large =
+          (blocks[block].load(ParticleBlock::mass) >
+           Lanes(largest_mass[cell])) &
+          (blocks[block].load(ParticleBlock::properties + Property::density) >=
+           Lanes(full_density));
+        if (any(is_large))
+          for (unsigned int lane = 0; lane < blocks.n_lanes(block); ++lane)
+            if (is_large[lane])
+              large.push_back({cell, block, lane});
+      });
+    }
+
+    /// Unit vector along which the cell's middle is stretched most.
+    Tensor<1, dim>
+    principal_extension(const unsigned int     cell,
+                        const NodalField<dim> &velocity) const
+    {
+      constexpr unsigned int n_nodes = Setting::nodes_per_cell;
+      const auto             gradient =
+        gradient_of(gather(velocity, geometry.nodes(cell)),
+                    geometry.shape(cell).shape_gradients(
+                      Pair<double>{{1. / n_nodes, 1. / n_nodes}}));
+      const double angle = 0.5 * std::atan2(gradient[0][1] + gradient[1][0],
+                                            gradient[0][0] - gradient[1][1]);
+      return Tensor<1, dim>({std::cos(angle), std::sin(angle)});
+    }
+
+    /// One half takes the parent's slot, the other goes to `halves`; nothing
+    /// happens next to the cell's faces, where there is no room.
+    void
+    halve(const ParticleSlot   &slot,
+          const Tensor<1, dim> &direction,
+          ParticleBlocks       &blocks)
+    {
+      const Parcel parent = blocks.parcel(slot);
+      if (!initial_configuration.has_halves(parent.id))
+        return;
+      const double          extent = std::sqrt(area(parent));
+      std::array<Parcel, 2> both{{parent, parent}};
+      const auto            ids = initial_configuration.halves(parent.id);
+      for (const double distance : {reach * extent, 0.5 * reach * extent})
+        {
+          bool has_room = true;
+          for (unsigned int i = 0; i < both.size(); ++i)
+            {
+              both[i].id = ids[i];
+              both[i].location =
+                parent.location + (i == 0 ? distance : -distance) * direction;
+              both[i].reference_point =
+                geometry.shape(slot.cell).to_reference(both[i].location);
+              both[i].properties[Property::mass] =
+                0.5 * parent.properties[Property::mass];
+              has_room = has_room &&
+                         Geometry::is_inside(both[i].reference_point, margin);
+            }
+          if (has_room)
+            {
+              blocks.overwrite(slot, both[0]);
+              halves.push_back(both[1]);
+              return;
+            }
+        }
+    }
+
+    /// Of a particle in the section, in m^2.
+    static double
+    area(const Parcel &particle)
+    {
+      const double volume = particle.properties[Property::mass] /
+                            particle.properties[Property::density];
+      return Setting::formulation == Formulation::plane_strain ?
+               volume :
+               volume / (2. * numbers::PI * particle.location[0]);
+    }
+
+    const Geometry      &geometry;
+    const Configuration &initial_configuration;
+    const double         full_density;
+    std::vector<double>  largest_mass; ///< in each cell, kg; none: off
+
+    /// Kept between calls to avoid allocation.
+    std::vector<ParticleSlot> large;
+    std::vector<Parcel>       halves;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,253 @@
+#include <sandglass/particle_stage/particle_splitting.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+
+#include "random_engine.h"
+#include "stage_fixture.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  /// What has to stay, each over its size at the start: mass, mass times
+  /// position, momentum, angular momentum, and stress times volume.
+  using Totals = std::array<double, 10>;
+
+  /// A square of 4 x 4 squares, 1 m from the axis; random states.
+  template <typename TypeParam>
+  class ParticleSplittingTest : public testing::Test
+  {
+  protected:
+    using Splitting = ParticleSplitting<TypeParam>;
+
+    ParticleSplittingTest()
+    {
+      fixture.formulation = TypeParam::formulation;
+      Rectangle rectangle;
+      rectangle.cell_type = TypeParam::cell_type;
+      rectangle.lower     = Point<2>(1., 0.);
+      rectangle.upper     = Point<2>(2., 1.);
+      fixture.start(rectangle.mesh());
+      geometry =
+        std::make_unique<CellGeometry<TypeParam::cell_type>>(*fixture.scene);
+      initial_configuration =
+        std::make_unique<InitialConfiguration<TypeParam::cell_type>>(
+          *fixture.scene, *geometry);
+      sums = std::make_unique<NodalSums<TypeParam>>(*geometry,
+                                                    0.,
+                                                    std::vector<Point<2>>());
+      set_states();
+    }
+
+    void
+    set_states()
+    {
+      auto         random = random_engine();
+      const double range  = random.max();
+      fixture.for_each_particle([&](auto, const auto &, auto state) {
+        for (unsigned int p = 0; p < Property::n_properties; ++p)
+          if (p != Property::mass && p != Property::density)
+            state[p] = random() / range - 0.5;
+        state[Property::density] *= 1. + 0.1 * random() / range;
+      });
+      stretch(Tensor<1, 2>({1., 0.}));
+    }
+
+    /// v^L grows along a direction.
+    void
+    stretch(const Tensor<1, 2> &direction)
+    {
+      auto &field = fixture.stage->fields.mapped_velocity;
+      for (const auto &cell :
+           fixture.scene->dof_handler.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            double *entry = field.at(fixture.scene->nodes->global_to_local(
+              cell->vertex_dof_index(v, 0)));
+            for (unsigned int d = 0; d < 2; ++d)
+              entry[d] = (cell->vertex(v) * direction) * direction[d];
+          }
+    }
+
+    /// Multiply the masses of particles with an even id.
+    void
+    enlarge(const double factor)
+    {
+      fixture.for_each_particle([&](auto id, const auto &, auto state) {
+        if (id % 2 == 0)
+          state[Property::mass] *= factor;
+      });
+    }
+
+    /// @return how many particles there are more.
+    unsigned int
+    split(const SplitParticles when = SplitParticles::always)
+    {
+      ParticleBlocks    &blocks = fixture.stage->cloud.change_blocks();
+      const unsigned int before = blocks.n_particles();
+      sums->compute(blocks);
+      Splitting splitting(*geometry,
+                          *initial_configuration,
+                          fixture.scene->mesh,
+                          fixture.material.density,
+                          when);
+      if (splitting.is_on())
+        splitting.split(blocks, fixture.stage->fields.mapped_velocity, *sums);
+      return blocks.n_particles() - before;
+    }
+
+    Totals
+    totals() const
+    {
+      Totals result{};
+      fixture.for_each_particle([&](auto, const auto &x, auto state) {
+        const double  m      = state[Property::mass];
+        const double *v      = &state[Property::velocity];
+        const double  volume = m / state[Property::density];
+        const Totals  own    = {{m,
+                                 m * x[0],
+                                 m * x[1],
+                                 m * v[0],
+                                 m * v[1],
+                                 m * (x[0] * v[1] - x[1] * v[0]),
+                                 volume * state[Property::stress],
+                                 volume * state[Property::stress + 1],
+                                 volume * state[Property::stress + 2],
+                                 volume * state[Property::stress + 3]}};
+        for (unsigned int i = 0; i < own.size(); ++i)
+          result[i] += own[i];
+      });
+      return result;
+    }
+
+    StageFixture                                        fixture;
+    std::unique_ptr<CellGeometry<TypeParam::cell_type>> geometry;
+    std::unique_ptr<InitialConfiguration<TypeParam::cell_type>>
+                                          initial_configuration;
+    std::unique_ptr<NodalSums<TypeParam>> sums;
+  };
+
+  using Settings =
+    testing::Types<Setting<Formulation::plane_strain, CellType::triangle>,
+                   Setting<Formulation::plane_strain, CellType::quadrilateral>,
+                   Setting<Formulation::axisymmetric, CellType::triangle>,
+                   Setting<Formulation::axisymmetric, CellType::quadrilateral>>;
+  TYPED_TEST_SUITE(ParticleSplittingTest, Settings);
+} // namespace
+
+
+
+TYPED_TEST(ParticleSplittingTest, KeepsWhatParticlesCarry)
+{
+  this->enlarge(2.5);
+  const Totals before = this->totals();
+  EXPECT_GT(this->split(), 20u);
+  const Totals after = this->totals();
+  for (unsigned int i = 0; i < before.size(); ++i)
+    EXPECT_NEAR(after[i] / before[i], 1., 1e-12) << "total " << i;
+  EXPECT_EQ(this->split(), 0u) << "halves are not too large";
+}
+
+
+
+TYPED_TEST(ParticleSplittingTest, HalvesLieInTheCellAlongTheExtension)
+{
+  this->stretch(Tensor<1, 2>({0.6, 0.8}));
+  this->enlarge(2.5);
+  this->split();
+  const ParticleBlocks           &blocks = this->fixture.stage->cloud.blocks();
+  std::set<types::particle_index> ids;
+  unsigned int                    n_pairs = 0;
+  blocks.for_each([&](const ParticleSlot &slot) {
+    const Parcel particle = blocks.parcel(slot);
+    const auto  &shape    = this->geometry->shape(slot.cell);
+    EXPECT_TRUE(ids.insert(particle.id).second);
+    EXPECT_TRUE(
+      CellGeometry<TypeParam::cell_type>::is_inside(particle.reference_point,
+                                                    0.));
+    EXPECT_LT(
+      shape.to_real(particle.reference_point).distance(particle.location),
+      1e-12);
+    // Nothing has moved yet, so the initial position is in the same cell.
+    const Point<2> start = this->initial_configuration->position(particle.id);
+    EXPECT_TRUE(
+      CellGeometry<TypeParam::cell_type>::is_inside(shape.to_reference(start),
+                                                    0.));
+    const Tensor<1, 2> way = particle.location - start;
+    if (way.norm() > 1e-12)
+      {
+        ++n_pairs;
+        EXPECT_NEAR(std::abs(way * Tensor<1, 2>({0.6, 0.8})) / way.norm(),
+                    1.,
+                    1e-12);
+      }
+  });
+  EXPECT_GT(n_pairs, 20u);
+}
+
+
+
+TYPED_TEST(ParticleSplittingTest, SumsStayThoseOfTheParticles)
+{
+  this->enlarge(2.5);
+  this->split();
+  const ParticleBlocks &blocks = this->fixture.stage->cloud.blocks();
+  NodalSums<TypeParam>  anew(*this->geometry, 0., {});
+  anew.compute(blocks);
+  for_each_filled_cell(blocks, [&](const unsigned int cell) {
+    for (unsigned int i = 0; i < anew[cell].values.size(); ++i)
+      EXPECT_DOUBLE_EQ((*this->sums)[cell].values[i], anew[cell].values[i]);
+  });
+}
+
+
+
+TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
+{
+  EXPECT_EQ(this->split(), 0u) << "particles as at the start";
+
+  this->enlarge(2.5);
+  EXPECT_EQ(this->split(SplitParticles::never), 0u);
+  EXPECT_EQ(this->split(SplitParticles::in_graded_meshes), 0u)
+    << "all cells have the same size";
+
+  this->fixture.for_each_particle([&](auto, const auto &, auto state) {
+    state[Property::density] = 0.99 * this->fixture.material.density;
+  });
+  EXPECT_EQ(this->split(), 0u) << "separated particles";
+}
+
+
+
+TYPED_TEST(ParticleSplittingTest, HalvesHaveIdsOfTheirOwn)
+{
+  const auto n = this->fixture.stage->cloud.blocks().n_particles();
+  std::vector<types::particle_index> last = {5};
+  std::set<types::particle_index>    all  = {5};
+  for (unsigned int generation = 0; generation < 10; ++generation)
+    {
+      std::vector<types::particle_index> next;
+      for (const auto id : last)
+        for (const auto half : this->initial_configuration->halves(id))
+          {
+            EXPECT_EQ(half % n, 5u);
+            EXPECT_TRUE(all.insert(half).second);
+            next.push_back(half);
+          }
+      last = next;
+    }
+
+  // Until there are none left, without an overflow.
+  types::particle_index id = 5;
+  while (this->initial_configuration->has_halves(id))
+    {
+      const auto halves = this->initial_configuration->halves(id);
+      ASSERT_GT(halves[0], id);
+      ASSERT_GT(halves[1], halves[0]);
+      id = halves[1];
+    }
+  EXPECT_GT(id, std::numeric_limits<types::particle_index>::max() / 5);
+}
