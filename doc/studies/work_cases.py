@@ -28,13 +28,16 @@ class Method(NamedTuple):
     settings: tuple
     n_meshes: int = 3
     is_in_plot: bool = False
+    lip: int = 1  # Outlet element size is this part of Element size
 
 
 PAPER = (("Walls/Outlet lip", "floor"),
          ("Particle stage/Volumetric strain", "element"),
          ("Particle stage/Force integration", "particles"),
+         ("Particle stage/Split particles", "never"),
          ("Particle stage/Density update", "paper"))
-BY_PARTICLES = (("Particle stage/Force integration", "particles"),)
+UNSPLIT = PAPER[3:4]
+BY_PARTICLES = PAPER[2:4]
 SQUARES = (("Scene/Cell type", "quadrilateral"),)
 
 
@@ -45,14 +48,23 @@ def particles(number):
 # Each differs from one above it in one respect; the default is "cell-4".
 METHODS = {
     "paper": Method("the paper's, automatic step", PAPER, 4, True),
-    "separation": Method("+ density: separation", PAPER[:3]),
-    "free": Method("+ free lip", PAPER[1:3], 4, True),
+    "separation": Method("+ density: separation", PAPER[:4]),
+    "free": Method("+ free lip", PAPER[1:4], 4, True),
     "averaged": Method("+ averaged volumetric strain", BY_PARTICLES, 4, True),
     "averaged-16": Method("the same, 16 particles",
                           BY_PARTICLES + particles(16)),
-    "cell-4": Method("+ force integration by cell: the default", (), 4, True),
+    "unsplit-4": Method("+ force integration by cell", UNSPLIT),
+    "unsplit-9": Method("the same, 9 particles", UNSPLIT + particles(9), 4),
+    "cell-4": Method("+ split particles: the default", (), 4, True),
     "cell-9": Method("the default, 9 particles", particles(9), 4, True),
-    "cell-16": Method("the default, 16 particles", particles(16), 4, True),
+    "cell-16": Method("the default, 16 particles", particles(16), 4),
+    "lip-4": Method("the default, cells at the lip a quarter", (), 3, True, 4),
+    "lip-4-9": Method("the same, 9 particles", particles(9), 3, True, 4),
+    "lip-4-16": Method("the same, 16 particles", particles(16), 3, False, 4),
+    "lip-8-9": Method("cells at the lip an eighth, 9 particles", particles(9),
+                      3, True, 8),
+    "lip-4-unsplit": Method("cells at the lip a quarter, not split", UNSPLIT,
+                            3, False, 4),
     "element-9": Method("9 particles, element strain", particles(9) +
                         (("Particle stage/Volumetric strain", "element"),)),
     "squares-particles": Method("squares, force by particles",
@@ -73,8 +85,8 @@ METHODS = {
                        (("Particle stage/Consistent mass share", 0.5),)),
 }
 
-# Whose finest results are the reference: all cures, most particles.
-REFERENCES = ("cell-9", "cell-16", "squares-9", "squares-16")
+# Whose finest results are the reference: all cures, finest at the lip.
+REFERENCES = ("lip-4-9", "lip-4-16", "lip-8-9")
 
 
 def work_run(key, method, element):
@@ -85,6 +97,9 @@ def work_run(key, method, element):
                 # Wall tractions are means over it.
                 ("Output/Interval", round(unit, 6)),
                 *METHODS[method].settings)
+    if METHODS[method].lip > 1:
+        settings += (("Scene/Outlet element size",
+                      element / METHODS[method].lip),)
     run = study_run(NAME, f"{key}-{method}-{element:g}", silo.scene, settings)
     return run._replace(settings=run.settings + WITHOUT_FIELDS)
 

@@ -9,10 +9,15 @@ from traction_tables import wall_force
 from work_cases import (BY_PARTICLES, METHODS, NAME, REFERENCES, SILOS, cases,
                         runs, work_run)
 
-QUANTITIES = {"flow_rate": "flow rate", "wall_at_rest": "wall force at rest",
+QUANTITIES = {"flow_rate": "flow rate",
+              "tenth_time": "time for a tenth of the material",
+              "wall_at_rest": "wall force at rest",
               "wall_in_flow": "wall force in flow"}
+OTHERS = {"tenth_time": "time for a tenth", "wall_at_rest": "wall at rest",
+          "wall_in_flow": "wall in flow"}
 COLORS = {"paper": "#9b2226", "free": "#c9822a", "averaged": "#b8a13a",
-          "cell-4": "#4a7c59", "cell-9": "#1d3557", "cell-16": "#6a8caf",
+          "cell-4": "#4a7c59", "cell-9": "#1d3557", "lip-4": "#52b788",
+          "lip-4-9": "#457b9d", "lip-8-9": "#89c2d9",
           "squares-4": "#7a5195", "squares-9": "#bc5090"}
 
 
@@ -42,6 +47,15 @@ def row_of(key, method, element):
     return row
 
 
+def time_until(directory, table, share):
+    """When this share of the mass has passed the outlet, in s."""
+    masses, times = table["discharged_mass_kg"], table["time_s"]
+    target = share * run_output.read_summary(directory)["mass_initial_kg"]
+    after = next(i for i, mass in enumerate(masses) if mass >= target)
+    part = (target - masses[after - 1]) / (masses[after] - masses[after - 1])
+    return times[after - 1] + part * (times[after] - times[after - 1])
+
+
 def measured(key, directory):
     """The rate in kg/s, wall forces in N; plane: per metre."""
     unit = outlet_time(SILOS[key].outlet)
@@ -49,16 +63,17 @@ def measured(key, directory):
     times = [step * unit for step in range(int(WINDOW[0]) + 1,
                                            int(WINDOW[1]) + 1)]
     return {"flow_rate": mean_rate(table, unit, *WINDOW),
+            "tenth_time": time_until(directory, table, 0.1),
             "wall_at_rest": wall_force(directory, 0.),
             "wall_in_flow": (sum(wall_force(directory, time)
                                  for time in times) / len(times))}
 
 
 def references(rows, key, quantity):
-    """What the methods with all cures give on the two finest meshes: mean of
-    the finest, and half the range of all as its uncertainty."""
+    """What the reference methods give on their two finest meshes: mean of the
+    finest, and half the range of all as its uncertainty."""
     chosen = [row for row in rows if row["silo"] == key and
-              row["method"] in REFERENCES and row["mesh"] >= 3 and
+              row["method"] in REFERENCES and row["mesh"] >= 2 and
               row[quantity] is not None]
     finest = [row[quantity] for row in chosen if row["mesh"] ==
               max(other["mesh"] for other in chosen)]
@@ -110,19 +125,20 @@ def cost(rows, key):
                      f"{row['all_seconds']:.2g} s")
 
 
-def walls(rows):
+def others(rows):
     lines = []
     for key, silo in SILOS.items():
-        for name in ("paper", "averaged", "cell-4", "cell-9", "squares-9"):
+        for name in ("paper", "averaged", "cell-4", "cell-9", "lip-4-9",
+                     "squares-9"):
             line = [f"{silo.title}, {METHODS[name].title}"]
-            for quantity in ("wall_at_rest", "wall_in_flow"):
+            for quantity in OTHERS:
                 line += [signed_percent(error_of(rows, row, quantity))
                          for row in rows if row["silo"] == key and
                          row["method"] == name and row["mesh"] <= 3]
             lines.append(line)
-    return markdown(["silo, method"] + [f"{time}, mesh {mesh}" for time in
-                                        ("at rest", "in flow")
-                                        for mesh in (1, 2, 3)], lines)
+    return markdown(["silo, method"] + [f"{title}, mesh {mesh}" for title in
+                                        OTHERS.values() for mesh in (1, 2, 3)],
+                    lines)
 
 
 def cheapest(rows, key, name, bound):
@@ -169,9 +185,36 @@ def noise(rows):
                      "mesh 1", "mesh 2", "mesh 3", "half of it"], lines)
 
 
+def graded(rows):
+    """Rates of the default in meshes that are finer at the lip."""
+    names = ("cell-4", "lip-4-unsplit", "lip-4", "lip-4-9", "lip-4-16",
+             "lip-8-9")
+    return markdown(
+        ["silo, method"] + [f"mesh {mesh}" for mesh in (1, 2, 3)],
+        [[f"{silo.title}, {METHODS[name].title}"] +
+         [f"{number(row['flow_rate'])} ({row['particle_steps'] / 1e6:.3g} M)"
+          for row in rows if row["silo"] == key and row["method"] == name and
+          row["mesh"] <= 3]
+         for key, silo in SILOS.items() for name in names])
+
+
+def axis(rows):
+    """Rates of the axisymmetric silo with and without splitting."""
+    lines = []
+    for name in ("unsplit-4", "cell-4", "unsplit-9", "cell-9"):
+        own = {row["mesh"]: row["flow_rate"] for row in rows
+               if row["silo"] == "axisymmetric" and row["method"] == name}
+        lines.append([name.rsplit("-", 1)[1],
+                      "never" if name.startswith("un") else "where needed"] +
+                     [number(own.get(mesh)) for mesh in (1, 2, 3, 4)])
+    return markdown(["particles per cell", "`Split particles`", "mesh 1",
+                     "mesh 2", "mesh 3", "half of it"], lines)
+
+
 def parts(rows):
-    tables = {"reference": reference(rows), "walls": walls(rows),
-              "noise": noise(rows)}
+    tables = {"reference": reference(rows), "others": others(rows),
+              "noise": noise(rows), "graded": graded(rows),
+              "axis": axis(rows)}
     for key in SILOS:
         for table in (errors, cost, within):
             tables[f"{table.__name__}-{key}"] = table(rows, key)

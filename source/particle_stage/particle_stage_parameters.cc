@@ -96,12 +96,13 @@ namespace Sandglass
       "Split particles",
       split_particles,
       {{"never", SplitParticles::never},
-       {"in graded meshes", SplitParticles::in_graded_meshes},
+       {"where needed", SplitParticles::where_needed},
        {"always", SplitParticles::always}},
       "Whether particles that are too large for the cell that they have come "
-      "to are halved: never (paper), in meshes whose cells' areas differ by "
-      "more than a factor of six, or always. Without it small cells hold few "
-      "particles or none.");
+      "to are halved, since small cells otherwise hold few particles or none: "
+      "never (paper); where needed, which is in meshes whose cells' volumes "
+      "differ by more than a factor of six, as they do in graded and in "
+      "axisymmetric ones; or always.");
     add_selection<OnLostParticle>(
       *this,
       "On lost particle",

@@ -211,7 +211,7 @@ TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
 
   this->enlarge(2.5);
   EXPECT_EQ(this->split(SplitParticles::never), 0u);
-  EXPECT_EQ(this->split(SplitParticles::in_graded_meshes), 0u)
+  EXPECT_EQ(this->split(SplitParticles::where_needed), 0u)
     << "all cells have the same size";
 
   this->fixture.for_each_particle([&](auto, const auto &, auto state) {

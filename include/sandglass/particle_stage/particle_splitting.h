@@ -16,15 +16,15 @@ namespace Sandglass
 {
   /**
    * Halves particles that are too large for the cells that they have come to,
-   * which otherwise hold few or none: where cells become smaller along the way
-   * (doc/graded-meshes.md).
+   * which otherwise hold few or none: in graded meshes, and next to the axis,
+   * where rings are small (doc/graded-meshes.md).
    *
-   * Too large means 1.5 times the mass that a particle starts with in that cell
-   * or more. The halves have the parent's velocity, stress and density, and lie
-   * on both sides of where it was, along the principal extension of the
-   * deformation, since there the gaps are. So mass, momentum, angular momentum,
-   * energy and centre of mass stay as they are. Separated particles are left
-   * alone.
+   * Too large means more than 1.5 times the largest mass that a particle starts
+   * with in that cell. The halves have the parent's velocity, stress and
+   * density, and lie on both sides of where it was, along the principal
+   * extension of the deformation, since there the gaps are. So mass, momentum,
+   * angular momentum, energy and centre of mass stay as they are. Separated
+   * particles are left alone.
    */
   template <typename Setting>
   class ParticleSplitting
@@ -50,7 +50,7 @@ namespace Sandglass
       , full_density(full_density)
     {
       if (when == SplitParticles::always ||
-          (when == SplitParticles::in_graded_meshes && is_graded(mesh)))
+          (when == SplitParticles::where_needed && has_small_cells(mesh)))
         for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
           largest_mass.push_back(largest_share * full_density *
                                  seeded_volume(cell));
@@ -87,7 +87,7 @@ namespace Sandglass
     }
 
   private:
-    /// Of the mass that a particle starts with in the cell.
+    /// Of the largest mass that a particle starts with in the cell.
     static constexpr double largest_share = 1.5;
 
     /// Distance of a half from its parent, over the root of the parent's area.
@@ -96,19 +96,24 @@ namespace Sandglass
     /// Smallest face distance of a half, in cells.
     static constexpr double margin = 1e-3;
 
-    /// Mean volume of the cell's initial particles in m^3.
+    /// Of the cell's largest initial particle, in m^3.
     double
     seeded_volume(const unsigned int cell) const
     {
       const auto &points = initial_configuration.points;
-      return cell_moments(geometry.shape(cell), Setting::formulation, points)
-               .volume /
-             points.size();
+      double      result = 0.;
+      for (const Point<dim> &point : points)
+        result = std::max(result,
+                          part_volume(geometry.shape(cell),
+                                      Setting::formulation,
+                                      point,
+                                      points.size()));
+      return result;
     }
 
-    /// Meshes of one size have areas within a factor of four.
+    /// Plane meshes of one size have areas within a factor of four.
     bool
-    is_graded(const Mesh &mesh) const
+    has_small_cells(const Mesh &mesh) const
     {
       constexpr double largest_ratio = 6.;
       double           smallest      = std::numeric_limits<double>::max();
@@ -116,10 +121,8 @@ namespace Sandglass
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
         if (mesh.cells[cell].is_filled)
           {
-            const double area =
-              geometry.shape(cell).jacobian(initial_configuration.points[0]);
-            smallest = std::min(smallest, area);
-            largest  = std::max(largest, area);
+            smallest = std::min(smallest, seeded_volume(cell));
+            largest  = std::max(largest, seeded_volume(cell));
           }
       return largest > largest_ratio * smallest;
     }

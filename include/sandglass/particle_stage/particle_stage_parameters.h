@@ -42,8 +42,8 @@ namespace Sandglass
   /// When particles that are too large for their cell are halved.
   enum class SplitParticles
   {
-    never, ///< as in the paper
-    in_graded_meshes,
+    never,        ///< as in the paper
+    where_needed, ///< in meshes whose cells differ much in volume
     always
   };
 
@@ -69,7 +69,7 @@ namespace Sandglass
     StressIntegration stress_integration    = StressIntegration::start_of_step;
     ForceIntegration  force_integration     = ForceIntegration::cell;
     DensityUpdate     density_update        = DensityUpdate::separation;
-    SplitParticles    split_particles       = SplitParticles::in_graded_meshes;
+    SplitParticles    split_particles       = SplitParticles::where_needed;
     OnLostParticle    on_lost_particle      = OnLostParticle::stop;
     double            largest_speed         = 10.;
 
