@@ -101,6 +101,8 @@ def by_method(rows, key, cell):
     """A line for each method, a column for each mesh."""
     lines = []
     for name, method in METHODS.items():
+        if key not in method.silos:
+            continue
         own = {row["mesh"]: row for row in rows
                if row["silo"] == key and row["method"] == name}
         lines.append([method.title] +

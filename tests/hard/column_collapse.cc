@@ -22,14 +22,15 @@ namespace
   class Column
   {
   public:
-    static constexpr double       width     = 0.1; ///< half width or radius, m
-    static constexpr unsigned int n_columns = 20;  ///< cells in the half width
+    static constexpr double width = 0.1; ///< half width or radius, m
 
     Column(const Formulation formulation,
            const CellType    cell_type,
            const double      aspect_ratio,
            const double      run_out)
     {
+      const unsigned int n_columns =
+        columns(formulation, cell_type, aspect_ratio);
       const double h      = width / n_columns;
       const double height = aspect_ratio * width;
       fixture.formulation = formulation;
@@ -86,6 +87,21 @@ namespace
     StageFixture fixture;
 
   private:
+    /// Cells in the half width. With 20, 28 and 40 rings of squares the heap of
+    /// the column as high as wide is 18, 16 and 14 % lower than in experiments.
+    /// Taller columns find no rest on the finest of these: their gate is as
+    /// rough as the sand.
+    static unsigned int
+    columns(const Formulation formulation,
+            const CellType    cell_type,
+            const double      aspect_ratio)
+    {
+      return formulation == Formulation::axisymmetric &&
+                 cell_type == CellType::quadrilateral && aspect_ratio <= 1. ?
+               40 :
+               20;
+    }
+
     /// Also name the column's free surface, which the static stage asks for.
     static void
     add_gate(Mesh &mesh, const double height)
