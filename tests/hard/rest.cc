@@ -121,7 +121,9 @@ TEST_P(Rest, AStiffFrictionSpringLeavesAClosedSiloAtRest)
   const auto [cell_type, formulation] = GetParam();
   start_closed();
   run_to_step(100000);
-  // Rings of squares still tremble, for a reason not found yet.
+  // Rings of squares still tremble: the spring's implicit part takes the whole
+  // of the node's mass, and v^L moves a share of it. With half the time step
+  // or a third of the penalty they come to rest like the others.
   const bool trembles = cell_type == CellType::quadrilateral &&
                         formulation == Formulation::axisymmetric;
   EXPECT_LT(largest_way(), trembles ? 0.03 : 2e-3);
