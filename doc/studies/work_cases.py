@@ -58,7 +58,7 @@ METHODS = {
     "unsplit-9": Method("force by cell, 9 particles", UNSPLIT + particles(9), 4),
     "cell-4": Method("+ split particles: the default", (), 4, True),
     "cell-9": Method("the default, 9 particles", particles(9), 4, True),
-    "cell-16": Method("the default, 16 particles", particles(16), 4),
+    "cell-16": Method("the default, 16 particles", particles(16)),
     "lip-4": Method("lip a quarter", (), 3, True, 4),
     "lip-4-9": Method("lip a quarter, 9 particles", particles(9), 3, True, 4),
     "lip-4-16": Method("lip a quarter, 16 particles", particles(16), 3, False, 4),

@@ -123,7 +123,14 @@ namespace Sandglass
       {"Particle stage",
        "Density update",
        choice({"paper", "constant", "floor", "separation"},
-              particle_stage.density_update)}};
+              particle_stage.density_update)},
+      {"Particle stage",
+       "Force integration",
+       choice({"particles", "cell"}, particle_stage.force_integration)},
+      {"Particle stage",
+       "Split particles",
+       choice({"never", "where needed", "always"},
+              particle_stage.split_particles)}};
   }
 
 

@@ -61,6 +61,7 @@ namespace Sandglass
     json.add("git_hash", SANDGLASS_GIT_HASH);
     json.add("ranks", static_cast<unsigned long>(n_ranks));
     json.add("particles", n_particles);
+    json.add("particles_now", totals.n_particles);
     json.add("cells", n_cells);
     json.add("steps", clock.step);
     json.add("particle_steps", totals.particle_steps);

@@ -45,9 +45,9 @@ namespace Sandglass
   double
   InitialConfiguration<cell_type>::volume(const types::particle_index id) const
   {
-    return part_volume(geometry.shape(id / points.size()),
+    return part_volume(geometry.shape(cell(id)),
                        formulation,
-                       points[id % points.size()],
+                       points[point(id)],
                        points.size());
   }
 

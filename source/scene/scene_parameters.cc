@@ -192,10 +192,11 @@ namespace Sandglass
   void
   SceneParameters::check_element_size() const
   {
-    if (element_size > outlet_half_width)
+    const double at_lip = is_graded() ? outlet_element_size : element_size;
+    if (at_lip > outlet_half_width)
       throw InputError("Scene",
-                       "Element size",
-                       to_text(element_size),
+                       is_graded() ? "Outlet element size" : "Element size",
+                       to_text(at_lip),
                        "allowed is at most the Outlet half width of " +
                          to_text(outlet_half_width) +
                          " m, which must hold an element");

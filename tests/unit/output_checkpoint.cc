@@ -160,6 +160,26 @@ namespace
 
 
 
+  TEST(Checkpoint, refuses_another_method)
+  {
+    const std::string of_splitting = refusal_after([](SmallSilo &silo) {
+      silo.stage.split_particles = SplitParticles::always;
+    });
+    EXPECT_NE(of_splitting.find("Particle stage/Split particles = where "
+                                "needed, and now it is always"),
+              std::string::npos)
+      << of_splitting;
+    const std::string of_integration = refusal_after([](SmallSilo &silo) {
+      silo.stage.force_integration = ForceIntegration::particles;
+    });
+    EXPECT_NE(of_integration.find("Particle stage/Force integration = cell, "
+                                  "and now it is particles"),
+              std::string::npos)
+      << of_integration;
+  }
+
+
+
   TEST(Checkpoint, refuses_another_mesh)
   {
     const std::string message =

@@ -276,7 +276,7 @@ TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
         const CellGeometry<CellType::triangle>         geometry(scene);
         const InitialConfiguration<CellType::triangle> points(scene, geometry);
         const ParticleSplitting<Plane>                 splitting(
-          geometry, points, scene.mesh, 1., SplitParticles::where_needed);
+          geometry, points, scene.mesh, 1., 1., SplitParticles::where_needed);
         EXPECT_EQ(splitting.is_on(), size > 0.);
       }
 }

@@ -40,6 +40,7 @@ namespace Sandglass
                   initial_configuration,
                   scene.mesh,
                   material.density,
+                  volumetric_average.smallest_density,
                   parameters.split_particles)
     {
       seed_particles();

@@ -33,21 +33,24 @@ namespace Sandglass
     using Geometry      = CellGeometry<Setting::cell_type>;
     using Configuration = InitialConfiguration<Setting::cell_type>;
 
-    /// Steps between two looks: a particle takes more to cross a cell.
+    /// Steps between two looks. The fastest particles cross a small cell in
+    /// about as many.
     static constexpr unsigned int interval = 16;
 
     /**
-     * @param mesh          tells which cells are filled.
-     * @param full_density  of unstressed material, in kg/m^3.
+     * @param mesh              tells which cells are filled.
+     * @param full_density      of unstressed material, in kg/m^3.
+     * @param smallest_density  of particles that are halved, in kg/m^3.
      */
     ParticleSplitting(const Geometry      &geometry,
                       const Configuration &initial_configuration,
                       const Mesh          &mesh,
                       const double         full_density,
+                      const double         smallest_density,
                       const SplitParticles when)
       : geometry(geometry)
       , initial_configuration(initial_configuration)
-      , full_density(full_density)
+      , smallest_density(smallest_density)
     {
       if (when == SplitParticles::always ||
           (when == SplitParticles::where_needed && has_small_cells(mesh)))
@@ -136,7 +139,7 @@ namespace Sandglass
           (blocks[block].load(ParticleBlock::mass) >
            Lanes(largest_mass[cell])) &
           (blocks[block].load(ParticleBlock::properties + Property::density) >=
-           Lanes(full_density));
+           Lanes(smallest_density));
         if (any(is_large))
           for (unsigned int lane = 0; lane < blocks.n_lanes(block); ++lane)
             if (is_large[lane])
@@ -169,31 +172,45 @@ namespace Sandglass
       const Parcel parent = blocks.parcel(slot);
       if (!initial_configuration.has_halves(parent.id))
         return;
-      const double          extent = std::sqrt(area(parent));
-      std::array<Parcel, 2> both{{parent, parent}};
-      const auto            ids = initial_configuration.halves(parent.id);
-      for (const double distance : {reach * extent, 0.5 * reach * extent})
+      const double smallest = 0.5 * reach * std::sqrt(seeded_area(slot.cell));
+      for (double distance = reach * std::sqrt(area(parent));
+           distance > smallest;
+           distance *= 0.5)
         {
-          bool has_room = true;
-          for (unsigned int i = 0; i < both.size(); ++i)
-            {
-              both[i].id = ids[i];
-              both[i].location =
-                parent.location + (i == 0 ? distance : -distance) * direction;
-              both[i].reference_point =
-                geometry.shape(slot.cell).to_reference(both[i].location);
-              both[i].properties[Property::mass] =
-                0.5 * parent.properties[Property::mass];
-              has_room = has_room &&
-                         Geometry::is_inside(both[i].reference_point, margin);
-            }
-          if (has_room)
+          const auto both = halves_of(parent, distance * direction);
+          if (Geometry::is_inside(both[0].reference_point, margin) &&
+              Geometry::is_inside(both[1].reference_point, margin))
             {
               blocks.overwrite(slot, both[0]);
               halves.push_back(both[1]);
               return;
             }
         }
+    }
+
+    std::array<Parcel, 2>
+    halves_of(const Parcel &parent, const Tensor<1, dim> &offset) const
+    {
+      const auto            ids = initial_configuration.halves(parent.id);
+      std::array<Parcel, 2> both{{parent, parent}};
+      for (unsigned int i = 0; i < both.size(); ++i)
+        {
+          both[i].id = ids[i];
+          both[i].location += i == 0 ? offset : -offset;
+          both[i].reference_point =
+            geometry.shape(parent.cell).to_reference(both[i].location);
+          both[i].properties[Property::mass] *= 0.5;
+        }
+      return both;
+    }
+
+    /// Mean of the cell's initial particles in the section, in m^2.
+    double
+    seeded_area(const unsigned int cell) const
+    {
+      const auto &points = initial_configuration.points;
+      return geometry.shape(cell).jacobian(points[0]) *
+             CellShape<Setting::cell_type>::reference_area / points.size();
     }
 
     /// Of a particle in the section, in m^2.
@@ -209,7 +226,7 @@ namespace Sandglass
 
     const Geometry      &geometry;
     const Configuration &initial_configuration;
-    const double         full_density;
+    const double         smallest_density;
     std::vector<double>  largest_mass; ///< in each cell, kg; none: off
 
     /// Kept between calls to avoid allocation.

@@ -61,7 +61,7 @@ namespace Sandglass
     });
   }
 
-  /// All but the mass, which never changes.
+  /// All but the mass, which does not change in a pass.
   inline void
   store_state(const ParticleState<Lanes> &state, ParticleBlock &block)
   {

@@ -39,9 +39,7 @@ namespace Sandglass
     Point<dim>
     position(const types::particle_index id) const
     {
-      const types::particle_index initial = id % n_ids;
-      return geometry.shape(initial / points.size())
-        .to_real(points[initial % points.size()]);
+      return geometry.shape(cell(id)).to_real(points[point(id)]);
     }
 
     /// Whether there are ids for the halves of a particle.
@@ -50,7 +48,7 @@ namespace Sandglass
     {
       constexpr auto largest =
         std::numeric_limits<types::particle_index>::max();
-      return id / n_ids < (largest / n_ids - 3) / 2;
+      return largest / n_ids > 2 * (id / n_ids) + 3;
     }
 
     /// Ids of the halves of a particle for which has_halves() holds.
@@ -62,8 +60,8 @@ namespace Sandglass
     }
 
     /**
-     * Volume of the part of the cell that the particle stands for, in m^3
-     * (plane strain: per metre of depth, axisymmetric: of the whole ring).
+     * Volume of the part of the cell that an initial particle stands for, in
+     * m^3 (plane strain: per metre of depth, axisymmetric: of the whole ring).
      */
     double
     volume(const types::particle_index id) const;
@@ -71,6 +69,20 @@ namespace Sandglass
     const std::vector<Point<dim>> points;
 
   private:
+    /// Where the initial particle of an id starts.
+    unsigned int
+    cell(const types::particle_index id) const
+    {
+      return id % n_ids / points.size();
+    }
+
+    /// Which of `points` it starts from.
+    unsigned int
+    point(const types::particle_index id) const
+    {
+      return id % n_ids % points.size();
+    }
+
     const Formulation              formulation;
     const CellGeometry<cell_type> &geometry;
     const types::particle_index    n_ids; ///< of initial particles
