@@ -55,19 +55,27 @@ namespace
 
 
 
-  TEST(Checkpoint, resumed_run_is_the_same_bit_by_bit)
+  /// Run a silo in one part and in two.
+  ///
+  /// @param change  makes it from the small one.
+  /// @return the number of particles in the end.
+  template <typename Change>
+  std::size_t
+  expect_the_same_when_resumed(const Change &change)
   {
     SmallSilo whole_silo;
     observe_often(whole_silo);
+    change(whole_silo);
     SmallRun whole(whole_silo);
     whole.run();
 
     SmallSilo silo(MPI_COMM_SELF, "_parts");
     observe_often(silo);
+    change(silo);
     {
       SmallRun first_part(silo);
       first_part.run(0.22);
-      ASSERT_FALSE(first_part.stage->is_finished());
+      EXPECT_FALSE(first_part.stage->is_finished());
     }
     SmallRun second_part(silo);
     second_part.resume();
@@ -86,6 +94,30 @@ namespace
         << name;
     // Some was discharged before, and some after the checkpoint.
     EXPECT_GT(second_part.stage->removed_mass().discharged, 0.);
+    return second_part.stage->cloud.n_locally_owned_particles();
+  }
+
+
+
+  TEST(Checkpoint, resumed_run_is_the_same_bit_by_bit)
+  {
+    expect_the_same_when_resumed([](SmallSilo &) {});
+  }
+
+
+
+  TEST(Checkpoint, resumed_run_is_the_same_with_split_particles)
+  {
+    const auto graded = [](SmallSilo &silo) {
+      silo.scene.outlet_element_size = 0.02;
+      silo.stage.time_step_text      = "2e-4";
+    };
+    const auto unsplit = [&](SmallSilo &silo) {
+      graded(silo);
+      silo.stage.split_particles = SplitParticles::never;
+    };
+    EXPECT_GT(expect_the_same_when_resumed(graded),
+              expect_the_same_when_resumed(unsplit) + 50);
   }
 
 
