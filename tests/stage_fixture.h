@@ -69,6 +69,31 @@ struct StageFixture
     parameters.time_step_text = text.str();
   }
 
+  /// Call `function(position, index in the nodal fields)` for each cell's
+  /// nodes.
+  template <typename Function>
+  void
+  for_each_node(const Function &function) const
+  {
+    for (const auto &cell : scene->dof_handler.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        function(cell->vertex(v),
+                 scene->nodes->global_to_local(cell->vertex_dof_index(v, 0)));
+  }
+
+  /// Make v^L that of a function of the position, in m/s.
+  template <typename Function>
+  void
+  set_mapped_velocity(const Function &velocity)
+  {
+    for_each_node(
+      [&](const dealii::Point<2> &position, const unsigned int node) {
+        const dealii::Tensor<1, 2> value = velocity(position);
+        for (unsigned int d = 0; d < 2; ++d)
+          stage->fields.mapped_velocity.at(node)[d] = value[d];
+      });
+  }
+
   /// Call `function(id, position, properties)` for each particle.
   template <typename Function>
   void

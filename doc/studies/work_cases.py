@@ -32,13 +32,11 @@ class Method(NamedTuple):
     silos: tuple = tuple(SILOS)
 
 
-PAPER = (("Walls/Outlet lip", "floor"),
-         ("Particle stage/Volumetric strain", "element"),
-         ("Particle stage/Force integration", "particles"),
-         ("Particle stage/Split particles", "never"),
-         ("Particle stage/Density update", "paper"))
-UNSPLIT = PAPER[3:4]
-BY_PARTICLES = PAPER[2:4]
+FLOOR_LIP = (("Walls/Outlet lip", "floor"),)
+ELEMENT_STRAIN = (("Particle stage/Volumetric strain", "element"),)
+BY_PARTICLES = (("Particle stage/Force integration", "particles"),)
+UNSPLIT = (("Particle stage/Split particles", "never"),)
+PAPER_DENSITY = (("Particle stage/Density update", "paper"),)
 SQUARES = (("Scene/Cell type", "quadrilateral"),)
 
 
@@ -48,35 +46,42 @@ def particles(number):
 
 # Each differs from one above it in one respect; the default is "cell-4".
 METHODS = {
-    "paper": Method("the paper's, automatic step", PAPER, 4, True),
-    "separation": Method("+ density: separation", PAPER[:4]),
-    "free": Method("+ free lip", PAPER[1:4], 4, True),
-    "averaged": Method("+ averaged volumetric strain", BY_PARTICLES, 4, True),
+    "paper": Method("the paper's, automatic step", FLOOR_LIP + ELEMENT_STRAIN +
+                    BY_PARTICLES + UNSPLIT + PAPER_DENSITY, 4, True),
+    "separation": Method("+ density: separation", FLOOR_LIP +
+                         ELEMENT_STRAIN + BY_PARTICLES + UNSPLIT),
+    "free": Method("+ free lip", ELEMENT_STRAIN + BY_PARTICLES + UNSPLIT, 4,
+                   True),
+    "averaged": Method("+ averaged volumetric strain", BY_PARTICLES + UNSPLIT,
+                       4, True),
     "averaged-16": Method("averaged strain, 16 particles",
-                          BY_PARTICLES + particles(16)),
+                          BY_PARTICLES + UNSPLIT + particles(16)),
     "unsplit-4": Method("+ force integration by cell", UNSPLIT),
-    "unsplit-9": Method("force by cell, 9 particles", UNSPLIT + particles(9), 4),
+    "unsplit-9": Method("force by cell, 9 particles", UNSPLIT + particles(9),
+                        4),
     "cell-4": Method("+ split particles: the default", (), 4, True),
     "cell-9": Method("the default, 9 particles", particles(9), 4, True),
     "cell-16": Method("the default, 16 particles", particles(16)),
     "lip-4": Method("lip a quarter", (), 3, True, 4),
     "lip-4-9": Method("lip a quarter, 9 particles", particles(9), 3, True, 4),
-    "lip-4-16": Method("lip a quarter, 16 particles", particles(16), 3, False, 4),
+    "lip-4-16": Method("lip a quarter, 16 particles", particles(16), 3, False,
+                       4),
     "lip-8-9": Method("lip an eighth, 9 particles", particles(9),
                       3, True, 8),
     "lip-4-unsplit": Method("lip a quarter, not split", UNSPLIT,
                             3, False, 4),
     "element-9": Method("9 particles, element strain", particles(9) +
-                        (("Particle stage/Volumetric strain", "element"),)),
+                        ELEMENT_STRAIN),
     "squares-particles": Method("squares, force by particles",
-                                SQUARES + BY_PARTICLES, 4),
+                                SQUARES + BY_PARTICLES + UNSPLIT,
+                                4),
     "squares-4": Method("squares", SQUARES, 4, True),
     "squares-9": Method("squares, 9 particles", SQUARES + particles(9), 4,
                         True),
     "squares-16": Method("squares, 16 particles", SQUARES + particles(16), 4),
     "squares-16-element": Method(
         "squares, 16 particles, element strain", SQUARES + particles(16) +
-        (("Particle stage/Volumetric strain", "element"),)),
+        ELEMENT_STRAIN),
     "soft-9": Method("the default, 9 particles, a fifth of Young's modulus",
                      particles(9) + (("Material/Young modulus", 2e5),),
                      silos=("axisymmetric",)),

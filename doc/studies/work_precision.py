@@ -97,14 +97,30 @@ def reference(rows):
     return markdown(["quantity", "reference", "±"], lines)
 
 
+def by_mesh(rows, key, name):
+    """A method's rows by the number of the mesh, the coarsest first."""
+    return {row["mesh"]: row for row in rows
+            if row["silo"] == key and row["method"] == name}
+
+
+def rates(rows, key, name):
+    """A method's flow rates on all meshes."""
+    own = by_mesh(rows, key, name)
+    return [number(own[mesh]["flow_rate"] if mesh in own else None)
+            for mesh in (1, 2, 3, 4)]
+
+
+def on_papers_meshes(rows, key, name):
+    return [row for mesh, row in by_mesh(rows, key, name).items() if mesh <= 3]
+
+
 def by_method(rows, key, cell):
     """A line for each method, a column for each mesh."""
     lines = []
     for name, method in METHODS.items():
         if key not in method.silos:
             continue
-        own = {row["mesh"]: row for row in rows
-               if row["silo"] == key and row["method"] == name}
+        own = by_mesh(rows, key, name)
         lines.append([method.title] +
                      [cell(own[mesh]) if mesh in own else "–"
                       for mesh in (1, 2, 3, 4)])
@@ -135,8 +151,7 @@ def others(rows):
             line = [f"{silo.title}, {METHODS[name].title}"]
             for quantity in OTHERS:
                 line += [signed_percent(error_of(rows, row, quantity))
-                         for row in rows if row["silo"] == key and
-                         row["method"] == name and row["mesh"] <= 3]
+                         for row in on_papers_meshes(rows, key, name)]
             lines.append(line)
     return markdown(["silo, method"] + [f"{title}, mesh {mesh}" for title in
                                         OTHERS.values() for mesh in (1, 2, 3)],
@@ -145,10 +160,8 @@ def others(rows):
 
 def cheapest(rows, key, name, bound):
     """Of a method's runs from which on its error stays within a bound."""
-    own = sorted((row for row in rows if row["silo"] == key and
-                  row["method"] == name), key=lambda row: -row["mesh"])
     result = None
-    for row in own:
+    for row in reversed(by_mesh(rows, key, name).values()):
         error = error_of(rows, row, "flow_rate")
         if error is None or abs(error) > bound:
             break
@@ -176,13 +189,11 @@ def noise(rows):
              "squares-particles", "squares-4", "squares-16")
     lines = []
     for name in names:
-        own = {row["mesh"]: row["flow_rate"] for row in rows
-               if row["silo"] == "plane" and row["method"] == name}
         is_cell = BY_PARTICLES[0] not in METHODS[name].settings
         lines.append(["squares" if name.startswith("squares") else "triangles",
                       16 if name.endswith("16") else 4,
                       "cell" if is_cell else "particles"] +
-                     [number(own.get(mesh)) for mesh in (1, 2, 3, 4)])
+                     rates(rows, "plane", name))
     return markdown(["cells", "particles per cell", "`Force integration`",
                      "mesh 1", "mesh 2", "mesh 3", "half of it"], lines)
 
@@ -195,8 +206,7 @@ def graded(rows):
         ["silo, method"] + [f"mesh {mesh}" for mesh in (1, 2, 3)],
         [[f"{silo.title}, {METHODS[name].title}"] +
          [f"{number(row['flow_rate'])} ({row['particle_steps'] / 1e6:.3g} M)"
-          for row in rows if row["silo"] == key and row["method"] == name and
-          row["mesh"] <= 3]
+          for row in on_papers_meshes(rows, key, name)]
          for key, silo in SILOS.items() for name in names])
 
 
@@ -204,11 +214,9 @@ def axis(rows):
     """Rates of the axisymmetric silo with and without splitting."""
     lines = []
     for name in ("unsplit-4", "cell-4", "unsplit-9", "cell-9"):
-        own = {row["mesh"]: row["flow_rate"] for row in rows
-               if row["silo"] == "axisymmetric" and row["method"] == name}
         lines.append([name.rsplit("-", 1)[1],
                       "never" if name.startswith("un") else "where needed"] +
-                     [number(own.get(mesh)) for mesh in (1, 2, 3, 4)])
+                     rates(rows, "axisymmetric", name))
     return markdown(["particles per cell", "`Split particles`", "mesh 1",
                      "mesh 2", "mesh 3", "half of it"], lines)
 
@@ -243,8 +251,8 @@ def draw_silo(axes, rows, key):
     for name, method in METHODS.items():
         if not method.is_in_plot:
             continue
-        own = [row for row in rows if row["silo"] == key and
-               row["method"] == name and row["flow_rate"] is not None]
+        own = [row for row in by_mesh(rows, key, name).values()
+               if row["flow_rate"] is not None]
         axes.plot([row["all_seconds"] for row in own],
                   [100 * error_of(rows, row, "flow_rate") for row in own],
                   "s--" if name.startswith("squares") else "o-", markersize=4,

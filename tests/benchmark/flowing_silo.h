@@ -4,8 +4,6 @@
 #include <sandglass/particle_stage/cell_kernel.h>
 #include <sandglass/scene/make_mesh.h>
 
-#include <sstream>
-
 #include "stage_fixture.h"
 
 /**

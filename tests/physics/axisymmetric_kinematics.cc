@@ -66,16 +66,10 @@ namespace
     void
     set_velocity_and_move()
     {
-      auto &velocity = fixture.stage->fields.mapped_velocity;
-      for (const auto &cell :
-           fixture.scene->dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            double *value = velocity.at(fixture.scene->nodes->global_to_local(
-              cell->vertex_dof_index(v, 0)));
-            value[0]      = a * cell->vertex(v)[0];
-            value[1]      = b * cell->vertex(v)[1];
-          }
+      fixture.set_mapped_velocity([](const Point<2> &position) {
+        return Tensor<1, 2>({a * position[0], b * position[1]});
+      });
+      const auto &velocity = fixture.stage->fields.mapped_velocity;
       // The average of a uniform rate is that rate.
       const CellGeometry<cell_type>  geometry(*fixture.scene);
       VolumetricAverage<CellSetting> average(

@@ -61,22 +61,17 @@ namespace
     largest_force() const
     {
       double largest = 0.;
-      for (const auto &cell :
-           fixture.scene->dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const Point<2> vertex = cell->vertex(v);
-            if (std::min(
-                  {vertex[0] - 1., 2. - vertex[0], vertex[1], 1. - vertex[1]}) <
-                1e-12)
-              continue;
-            const double *sums = fixture.stage->fields.sums.at(
-              fixture.scene->nodes->global_to_local(
-                cell->vertex_dof_index(v, 0)));
-            for (unsigned int d = 0; d < 2; ++d)
-              largest =
-                std::max(largest, std::abs(sums[NodalSum::internal_force + d]));
-          }
+      fixture.for_each_node(
+        [&](const Point<2> &vertex, const unsigned int node) {
+          if (std::min(
+                {vertex[0] - 1., 2. - vertex[0], vertex[1], 1. - vertex[1]}) <
+              1e-12)
+            return;
+          const double *sums = fixture.stage->fields.sums.at(node);
+          for (unsigned int d = 0; d < 2; ++d)
+            largest =
+              std::max(largest, std::abs(sums[NodalSum::internal_force + d]));
+        });
       const double circumference =
         fixture.formulation == Formulation::axisymmetric ?
           2. * numbers::PI * 1.5 :

@@ -27,12 +27,11 @@ namespace
       acceleration = std::make_unique<Field>(*fixture.scene->nodes);
       mapped       = std::make_unique<Field>(*fixture.scene->nodes);
 
-      const auto &dof_handler = fixture.scene->dof_handler;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          if (cell->vertex(v).distance(position) < 1e-12)
-            node = fixture.scene->nodes->global_to_local(
-              cell->vertex_dof_index(v, 0));
+      fixture.for_each_node(
+        [&](const Point<2> &vertex, const unsigned int index) {
+          if (vertex.distance(position) < 1e-12)
+            node = index;
+        });
     }
 
     /// Velocity at the end of a step in which no other force acts.

@@ -157,86 +157,82 @@ namespace
 
 
 
-  /// The message with which the checkpoint of `silo` is refused after `change`.
+  /// The checkpoint of a silo is refused after `change`, with a message that
+  /// holds `reason`.
   template <typename Change>
-  std::string
-  refusal_after(const Change &change)
+  void
+  expect_refusal_after(const Change &change, const std::string &reason)
   {
     SmallSilo silo;
     silo.stage.end_time             = 0.002;
     silo.output.checkpoint_interval = 1.;
     SmallRun(silo).run();
     change(silo);
+    std::string message;
     try
       {
         SmallRun(silo).resume();
       }
     catch (const InputError &error)
       {
-        return error.what();
+        message = error.what();
       }
-    return "";
+    EXPECT_NE(message.find(reason), std::string::npos) << message;
   }
 
 
 
   TEST(Checkpoint, refuses_another_material)
   {
-    const std::string message =
-      refusal_after([](SmallSilo &silo) { silo.material.young_modulus = 2e6; });
-    EXPECT_NE(message.find(
-                "Material/Young modulus = 1e+06, and now it is 2e+06"),
-              std::string::npos)
-      << message;
+    expect_refusal_after(
+      [](SmallSilo &silo) { silo.material.young_modulus = 2e6; },
+      "Material/Young modulus = 1e+06, and now it is 2e+06");
   }
 
 
 
   TEST(Checkpoint, refuses_another_method)
   {
-    const std::string of_splitting = refusal_after([](SmallSilo &silo) {
-      silo.stage.split_particles = SplitParticles::always;
-    });
-    EXPECT_NE(of_splitting.find("Particle stage/Split particles = where "
-                                "needed, and now it is always"),
-              std::string::npos)
-      << of_splitting;
-    const std::string of_integration = refusal_after([](SmallSilo &silo) {
-      silo.stage.force_integration = ForceIntegration::particles;
-    });
-    EXPECT_NE(of_integration.find("Particle stage/Force integration = cell, "
-                                  "and now it is particles"),
-              std::string::npos)
-      << of_integration;
+    expect_refusal_after(
+      [](SmallSilo &silo) {
+        silo.stage.split_particles = SplitParticles::always;
+      },
+      "Particle stage/Split particles = where needed, and now it is always");
+    expect_refusal_after(
+      [](SmallSilo &silo) {
+        silo.stage.force_integration = ForceIntegration::particles;
+      },
+      "Particle stage/Force integration = cell, and now it is particles");
   }
 
 
 
   TEST(Checkpoint, refuses_another_mesh)
   {
-    const std::string message =
-      refusal_after([](SmallSilo &silo) { silo.scene.element_size = 0.05; });
-    EXPECT_NE(message.find("Scene/mesh = "), std::string::npos) << message;
+    expect_refusal_after(
+      [](SmallSilo &silo) { silo.scene.element_size = 0.05; }, "Scene/mesh = ");
   }
 
 
 
   TEST(Checkpoint, refuses_a_broken_file)
   {
-    const std::string message = refusal_after([](SmallSilo &silo) {
-      std::filesystem::resize_file(checkpoint_file(silo.output.directory),
-                                   5000);
-    });
-    EXPECT_NE(message.find("can't be read"), std::string::npos) << message;
+    expect_refusal_after(
+      [](SmallSilo &silo) {
+        std::filesystem::resize_file(checkpoint_file(silo.output.directory),
+                                     5000);
+      },
+      "can't be read");
   }
 
 
 
   TEST(Checkpoint, refuses_a_directory_without)
   {
-    const std::string message = refusal_after([](SmallSilo &silo) {
-      std::filesystem::remove(checkpoint_file(silo.output.directory));
-    });
-    EXPECT_NE(message.find("there is no '"), std::string::npos) << message;
+    expect_refusal_after(
+      [](SmallSilo &silo) {
+        std::filesystem::remove(checkpoint_file(silo.output.directory));
+      },
+      "there is no '");
   }
 } // namespace

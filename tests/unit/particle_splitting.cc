@@ -60,16 +60,9 @@ namespace
     void
     stretch(const Tensor<1, 2> &direction)
     {
-      auto &field = fixture.stage->fields.mapped_velocity;
-      for (const auto &cell :
-           fixture.scene->dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            double *entry = field.at(fixture.scene->nodes->global_to_local(
-              cell->vertex_dof_index(v, 0)));
-            for (unsigned int d = 0; d < 2; ++d)
-              entry[d] = (cell->vertex(v) * direction) * direction[d];
-          }
+      fixture.set_mapped_velocity([&](const Point<2> &position) {
+        return (position * direction) * direction;
+      });
     }
 
     /// Multiply the masses of particles with an even id.

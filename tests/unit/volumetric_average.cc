@@ -29,18 +29,11 @@ namespace
     void
     compute(const Function &velocity)
     {
-      auto &field = stage.fields.mapped_velocity;
-      for (const auto &cell :
-           fixture.scene->dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const Tensor<1, 2> value = velocity(cell->vertex(v));
-            double *entry = field.at(fixture.scene->nodes->global_to_local(
-              cell->vertex_dof_index(v, 0)));
-            entry[0]      = value[0];
-            entry[1]      = value[1];
-          }
-      average.compute(stage.cloud.blocks(), geometry, sums, field);
+      fixture.set_mapped_velocity(velocity);
+      average.compute(stage.cloud.blocks(),
+                      geometry,
+                      sums,
+                      stage.fields.mapped_velocity);
     }
 
     StageFixture                     fixture;

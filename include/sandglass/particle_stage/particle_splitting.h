@@ -23,8 +23,8 @@ namespace Sandglass
    * with in that cell. The halves have the parent's velocity, stress and
    * density, and lie on both sides of where it was, along the principal
    * extension of the deformation, since there the gaps are. So mass, momentum,
-   * angular momentum, energy and centre of mass stay as they are. Separated
-   * particles are left alone.
+   * angular momentum, energy and centre of mass stay as they are. Particles
+   * less dense than `smallest_density`, separated ones, are left alone.
    */
   template <typename Setting>
   class ParticleSplitting
@@ -52,11 +52,13 @@ namespace Sandglass
       , initial_configuration(initial_configuration)
       , smallest_density(smallest_density)
     {
-      if (when == SplitParticles::always ||
-          (when == SplitParticles::where_needed && has_small_cells(mesh)))
-        for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-          largest_mass.push_back(largest_share * full_density *
-                                 seeded_volume(cell));
+      if (when == SplitParticles::never)
+        return;
+      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
+        largest_mass.push_back(largest_share * full_density *
+                               seeded_volume(cell));
+      if (when == SplitParticles::where_needed && !has_small_cells(mesh))
+        largest_mass.clear();
     }
 
     bool
@@ -103,14 +105,10 @@ namespace Sandglass
     double
     seeded_volume(const unsigned int cell) const
     {
-      const auto &points = initial_configuration.points;
-      double      result = 0.;
-      for (const Point<dim> &point : points)
-        result = std::max(result,
-                          part_volume(geometry.shape(cell),
-                                      Setting::formulation,
-                                      point,
-                                      points.size()));
+      const unsigned int n      = initial_configuration.points.size();
+      double             result = 0.;
+      for (unsigned int k = 0; k < n; ++k)
+        result = std::max(result, initial_configuration.volume(n * cell + k));
       return result;
     }
 
@@ -124,8 +122,8 @@ namespace Sandglass
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
         if (mesh.cells[cell].is_filled)
           {
-            smallest = std::min(smallest, seeded_volume(cell));
-            largest  = std::max(largest, seeded_volume(cell));
+            smallest = std::min(smallest, largest_mass[cell]);
+            largest  = std::max(largest, largest_mass[cell]);
           }
       return largest > largest_ratio * smallest;
     }
@@ -172,7 +170,11 @@ namespace Sandglass
       const Parcel parent = blocks.parcel(slot);
       if (!initial_configuration.has_halves(parent.id))
         return;
-      const double smallest = 0.5 * reach * std::sqrt(seeded_area(slot.cell));
+      const auto  &points = initial_configuration.points;
+      const double smallest =
+        0.5 * reach *
+        std::sqrt(
+          part_area(geometry.shape(slot.cell), points[0], points.size()));
       for (double distance = reach * std::sqrt(area(parent));
            distance > smallest;
            distance *= 0.5)
@@ -202,15 +204,6 @@ namespace Sandglass
           both[i].properties[Property::mass] *= 0.5;
         }
       return both;
-    }
-
-    /// Mean of the cell's initial particles in the section, in m^2.
-    double
-    seeded_area(const unsigned int cell) const
-    {
-      const auto &points = initial_configuration.points;
-      return geometry.shape(cell).jacobian(points[0]) *
-             CellShape<Setting::cell_type>::reference_area / points.size();
     }
 
     /// Of a particle in the section, in m^2.

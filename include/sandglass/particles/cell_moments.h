@@ -14,10 +14,18 @@ namespace Sandglass
     Pair<double> mean_point; ///< reference coordinates, weighted with volume
   };
 
-  /**
-   * Volume in m^3 of one of n equal parts of a cell (plane strain: per metre of
-   * depth, axisymmetric: of the whole ring), from the part's centroid.
-   */
+  /// Area in m^2 of one of n equal parts of a cell, from the part's centroid.
+  template <CellType cell_type>
+  double
+  part_area(const CellShape<cell_type> &shape,
+            const Point<dim>           &centroid,
+            const unsigned int          n)
+  {
+    return shape.jacobian(centroid) * CellShape<cell_type>::reference_area / n;
+  }
+
+  /// Volume of the same in m^3 (plane strain: per metre of depth, axisymmetric:
+  /// of the whole ring).
   template <CellType cell_type>
   double
   part_volume(const CellShape<cell_type> &shape,
@@ -25,8 +33,7 @@ namespace Sandglass
               const Point<dim>           &centroid,
               const unsigned int          n)
   {
-    const double area =
-      shape.jacobian(centroid) * CellShape<cell_type>::reference_area / n;
+    const double area = part_area(shape, centroid, n);
     return formulation == Formulation::plane_strain ?
              area :
              2. * numbers::PI * shape.to_real(centroid)[0] * area;
