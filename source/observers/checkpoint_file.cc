@@ -102,6 +102,7 @@ namespace Sandglass
       {"Material", "Stress rate", choice({"Jaumann"}, material.stress_rate)},
       {"Walls", "Friction angle", to_text(walls.friction_angle)},
       {"Walls", "Tangential penalty", to_text(walls.tangential_penalty)},
+      {"Walls", "Penalty limit", to_text(walls.penalty_limit)},
       {"Walls",
        "Normal condition",
        choice({"velocity", "acceleration"}, walls.normal_condition)},

@@ -5,6 +5,7 @@ namespace Sandglass
   Contact::Contact(const Scene &scene, const WallParameters &parameters)
     : friction(parameters.friction_coefficient(),
                parameters.tangential_penalty,
+               parameters.penalty_limit,
                parameters.friction_update)
     , stops_velocity(parameters.normal_condition ==
                      WallParameters::NormalCondition::velocity)
@@ -20,7 +21,7 @@ namespace Sandglass
         if (!scene.nodes->in_local_range(boundary.dof))
           continue;
         Node node{
-          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}};
+          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}, 0.};
         for (unsigned int s = 0; s < boundary.supports.size(); ++s)
           node.impulse[s] = {boundary.position,
                              boundary.supports[s].role,
@@ -87,6 +88,7 @@ namespace Sandglass
             memories[n][s] = {};
 
         node.end_velocity = end_velocity;
+        node.mass         = mass;
         for (unsigned int d = 0; d < dim; ++d)
           node_acceleration[d] = (end_velocity[d] - velocity[d]) / time_step;
       }
@@ -177,6 +179,7 @@ namespace Sandglass
             if (node.is_held_by_one(s) && support.role != BoundaryRole::axis)
               friction.stretch(memories[n][s],
                                difference * wall_tangent(support.normal),
+                               node.mass,
                                support.tributary_area,
                                time_step);
           }

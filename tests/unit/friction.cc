@@ -8,8 +8,9 @@ namespace
 {
   // mu N = 3 N; c_T A dt = 0.5 N s / m
   const CoulombFriction
-    return_mapping(0.3, 1e3, FrictionUpdate::return_mapping);
-  const CoulombFriction velocity_sign(0.3, 1e3, FrictionUpdate::velocity_sign);
+    return_mapping(0.3, 1e3, 0., FrictionUpdate::return_mapping);
+  const CoulombFriction
+    velocity_sign(0.3, 1e3, 0., FrictionUpdate::velocity_sign);
   constexpr double normal_force = 10., mass = 2., area = 0.05, time_step = 0.01;
 
   double
@@ -66,6 +67,25 @@ TEST(Friction, IsContinuousWhereTheVelocityTurns)
   EXPECT_NEAR(force(return_mapping, memory, 1e-9, 1e-9), 3., 0.01);
   memory = {3., true};
   EXPECT_NEAR(force(velocity_sign, memory, 1e-9, 1e-9), -3., 0.01);
+}
+
+// c_T A dt^2 / m is 2.5e-3, so a limit of 1e-3 takes c_T down to 400 N/m^3, and
+// one of 3e-3 leaves it.
+TEST(Friction, APenaltyAboveItsLimitActsLikeALowerOne)
+{
+  const auto result = [](const double penalty, const double limit) {
+    const CoulombFriction friction(0.3,
+                                   penalty,
+                                   limit,
+                                   FrictionUpdate::return_mapping);
+    FrictionMemory        memory{0.7, false};
+    force(friction, memory, 0.1, 0.2);
+    friction.stretch(memory, 0.3, mass, area, time_step);
+    return memory.tangential_force;
+  };
+  EXPECT_DOUBLE_EQ(result(1e3, 1e-3), result(400., 0.));
+  EXPECT_EQ(result(1e3, 3e-3), result(1e3, 0.));
+  EXPECT_GT(std::abs(result(1e3, 0.) - result(400., 0.)), 1e-3);
 }
 
 TEST(Friction, VanishesWithoutNormalForce)

@@ -45,12 +45,15 @@ namespace Sandglass
     /**
      * @param coefficient  mu = tan(wall friction angle)
      * @param penalty      c_T in N/m^3
+     * @param penalty_limit  largest c_T A dt^2 / m of a node; 0: none
      */
     CoulombFriction(const double         coefficient,
                     const double         penalty,
+                    const double         penalty_limit,
                     const FrictionUpdate update)
       : coefficient(coefficient)
       , penalty(penalty)
+      , penalty_limit(penalty_limit)
       , update(update)
     {}
 
@@ -90,9 +93,9 @@ namespace Sandglass
           start_force = force;
         }
 
-      const double stiffness   = penalty * area * time_step;
-      const double trial_force = (start_force - stiffness * free_velocity) /
-                                 (1. + stiffness * time_step / mass);
+      const double stretching  = force_per_velocity(mass, area, time_step);
+      const double trial_force = (start_force - stretching * free_velocity) /
+                                 (1. + stretching * time_step / mass);
       memory.is_sliding       = std::abs(trial_force) > limit;
       memory.tangential_force = std::clamp(trial_force, -limit, limit);
       return memory.tangential_force;
@@ -103,22 +106,45 @@ namespace Sandglass
      * that tangential_force() has not known of.
      *
      * @param velocity   beyond that at the step's end, tangential, in m/s.
+     * @param mass       of the node, in kg.
      * @param area       of wall that belongs to the node, in m^2.
      * @param time_step  in s.
      */
     void
     stretch(FrictionMemory &memory,
             const double    velocity,
+            const double    mass,
             const double    area,
             const double    time_step) const
     {
       if (!memory.is_sliding)
-        memory.tangential_force -= penalty * area * time_step * velocity;
+        memory.tangential_force -=
+          force_per_velocity(mass, area, time_step) * velocity;
     }
 
   private:
+    /**
+     * What a slip velocity adds to the force of a sticking node in one step, in
+     * N s/m.
+     *
+     * The solution for force and velocity together takes the node's whole mass,
+     * but v^L, with which the material moves, follows the node with a share of
+     * it. A spring that the step hardly resolves would therefore swing.
+     */
+    double
+    force_per_velocity(const double mass,
+                       const double area,
+                       const double time_step) const
+    {
+      const double by_penalty = penalty * area * time_step;
+      return penalty_limit > 0. ?
+               std::min(by_penalty, penalty_limit * mass / time_step) :
+               by_penalty;
+    }
+
     double         coefficient;
     double         penalty;
+    double         penalty_limit;
     FrictionUpdate update;
   };
 } // namespace Sandglass

@@ -29,6 +29,7 @@ namespace Sandglass
 
     double          friction_angle     = 20.; ///< in degrees
     double          tangential_penalty = 1e7; ///< c_T, in N/m^3
+    double          penalty_limit      = 0.2; ///< of c_T A dt^2 / m; 0: none
     NormalCondition normal_condition   = NormalCondition::velocity;
     FrictionUpdate  friction_update    = FrictionUpdate::return_mapping;
     bool            fix_bottom_corner  = true;
