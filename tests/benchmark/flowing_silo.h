@@ -18,8 +18,16 @@ struct FlowingSilo : StageFixture
   using Geometry = Sandglass::CellGeometry<Setting::cell_type>;
   using Point    = dealii::Point<Sandglass::dim>;
 
+  /// Of strain, force, splitting and lip.
+  enum class Method
+  {
+    paper,
+    program ///< the defaults
+  };
+
   /// @param refinement  how often the elements of mesh 3 go into its edges.
-  explicit FlowingSilo(const unsigned int refinement)
+  explicit FlowingSilo(const unsigned int refinement,
+                       const Method       method = Method::paper)
   {
     Sandglass::SceneParameters silo;
     silo.formulation  = Setting::formulation;
@@ -29,10 +37,13 @@ struct FlowingSilo : StageFixture
 
     set_time_step(0.01 * silo.element_size); // Tables II, IV
     parameters.end_time = 1e3;
-    // As in the paper, and in the plain loop.
-    parameters.volumetric_strain = Sandglass::VolumetricStrain::element;
-    parameters.force_integration = Sandglass::ForceIntegration::particles;
-    walls.outlet_lip             = Sandglass::WallParameters::OutletLip::floor;
+    if (method == Method::paper) // and of the plain loop
+      {
+        parameters.volumetric_strain = Sandglass::VolumetricStrain::element;
+        parameters.force_integration = Sandglass::ForceIntegration::particles;
+        parameters.split_particles   = Sandglass::SplitParticles::never;
+        walls.outlet_lip = Sandglass::WallParameters::OutletLip::floor;
+      }
     start(make_mesh(silo, MPI_COMM_WORLD));
     geometry = std::make_unique<Geometry>(*scene);
     stage->set_initial_state(

@@ -12,9 +12,8 @@
 #include <algorithm>
 #include <ctime>
 
-#include "flowing_silo.h"
+#include "loop_difference.h"
 #include "machine_limits.h"
-#include "plain_loop.h"
 
 namespace
 {
@@ -111,51 +110,6 @@ namespace
 
 
 
-  double
-  kinetic_energy(const ParticleCloud::Handler &particles)
-  {
-    double energy = 0.;
-    for (const auto &particle : particles)
-      {
-        const double *state    = particle.get_properties().data();
-        const double *velocity = state + Property::velocity;
-        energy += 0.5 * state[Property::mass] *
-                  (velocity[0] * velocity[0] + velocity[1] * velocity[1]);
-      }
-    return energy;
-  }
-
-
-
-  /// Largest difference between the two loops' nodal sums over the largest
-  /// value of its kind, or between their energies.
-  template <typename Setting>
-  double
-  difference(const FlowingSilo<Setting> &silo, PlainLoop<Setting> &plain)
-  {
-    plain.sum_at_nodes();
-    const double energy = kinetic_energy(silo.stage->cloud.handler());
-    double result = std::abs(kinetic_energy(plain.handler) - energy) / energy;
-    for (const auto &[first, n] : {std::pair(NodalSum::mass, 1u),
-                                   std::pair(NodalSum::momentum, 2u),
-                                   std::pair(NodalSum::internal_force, 2u)})
-      {
-        double largest = 0., difference = 0.;
-        for (unsigned int node = 0; node < silo.scene->nodes->size(); ++node)
-          for (unsigned int c = first; c < first + n; ++c)
-            {
-              const double own   = silo.stage->fields.sums.at(node)[c];
-              const double other = plain.fields.sums.at(node)[c];
-              largest            = std::max(largest, std::abs(own));
-              difference         = std::max(difference, std::abs(own - other));
-            }
-        result = std::max(result, difference / largest);
-      }
-    return result;
-  }
-
-
-
   template <typename Setting>
   void
   beside_plain_loop(benchmark::State &state)
@@ -173,7 +127,7 @@ namespace
     constexpr unsigned int n_steps_to_compare = 200, n_steps_to_flow = 1000;
     silo.run(n_steps_to_compare);
     run_plain(n_steps_to_compare);
-    state.counters["difference"] = difference(silo, plain);
+    state.counters["difference"] = loop_difference(silo, plain);
     if (!(state.counters["difference"] < 1e-9))
       state.SkipWithError("the two loops' results differ");
     silo.run(n_steps_to_flow);
@@ -192,6 +146,30 @@ namespace
       }
     report(state, silo, times);
     state.counters["plain_over_stage"] = median(ratios);
+  }
+
+
+
+  /// What the averaged strain and the force on cells, the defaults, cost.
+  template <typename Setting>
+  void
+  defaults_beside_paper(benchmark::State &state)
+  {
+    using Silo = FlowingSilo<Setting>;
+    Silo paper(1), silo(1, Silo::Method::program);
+    paper.run(1200);
+    silo.run(1200);
+
+    std::vector<double> times, ratios;
+    for (auto _ : state)
+      {
+        times.push_back(measure(silo, steps_to_measure(silo)));
+        ratios.push_back(times.back() /
+                         measure(paper, steps_to_measure(paper)));
+        state.SetIterationTime(1e-9 * times.back());
+      }
+    report(state, silo, times);
+    state.counters["time_over_paper"] = median(ratios);
   }
 
 
@@ -227,6 +205,10 @@ namespace
     constexpr unsigned int n_pairs = 15;
     benchmark::RegisterBenchmark(("beside_plain_loop/" + name).c_str(),
                                  beside_plain_loop<Choice>)
+      ->UseManualTime()
+      ->Iterations(n_pairs);
+    benchmark::RegisterBenchmark(("defaults_beside_paper/" + name).c_str(),
+                                 defaults_beside_paper<Choice>)
       ->UseManualTime()
       ->Iterations(n_pairs);
     benchmark::RegisterBenchmark(("beside_mesh_3/" + name).c_str(),

@@ -68,7 +68,7 @@ public:
     solve_acceleration(
       fields, *scene.nodes, mass_matrix, contact, scene.gravity, time_step);
     accelerate_particles(time_step);
-    solve_mapped_velocity(fields, mass_matrix, contact);
+    solve_mapped_velocity(fields, mass_matrix, contact, time_step);
     deform_and_move_particles(time_step);
     relocate();
   }
