@@ -152,11 +152,12 @@ namespace Sandglass
        removed.lost}};
 
     Checkpoint checkpoint;
-    checkpoint.clock                 = stage.clock;
-    checkpoint.automatic_time_step   = stage.automatic_time_step;
-    checkpoint.last_local_eigenvalue = stage.last_local_eigenvalue;
-    checkpoint.impulse_time          = stage.contact.sums().time;
-    checkpoint.rank_sums             = gather(rank_sums, communicator);
+    checkpoint.clock                   = stage.clock;
+    checkpoint.automatic_time_step     = stage.automatic_time_step;
+    checkpoint.last_local_eigenvalue   = stage.last_local_eigenvalue;
+    checkpoint.last_critical_time_step = stage.last_critical_time_step;
+    checkpoint.impulse_time            = stage.contact.sums().time;
+    checkpoint.rank_sums               = gather(rank_sums, communicator);
     checkpoint.particles = gather(pack_particles(stage), communicator);
     checkpoint.nodes     = gather(pack_nodes(stage), communicator);
     return checkpoint;
@@ -172,6 +173,7 @@ namespace Sandglass
     stage.clock                     = checkpoint.clock;
     stage.automatic_time_step       = checkpoint.automatic_time_step;
     stage.last_local_eigenvalue     = checkpoint.last_local_eigenvalue;
+    stage.last_critical_time_step   = checkpoint.last_critical_time_step;
     stage.plastic_dissipation       = sums.plastic_dissipation;
     stage.removed_mass().discharged = sums.mass_discharged;
     stage.removed_mass().lost       = sums.mass_lost;

@@ -177,7 +177,7 @@ namespace Sandglass
 
     const ParticleTotals totals(stage, material.elasticity());
     const FlowPattern    pattern(stage, history.stagnant_displacement());
-    const double         critical_time_step = stage.critical_time_step();
+    const double         critical_time_step = stage.recent_critical_time_step();
     do_and_share_errors(communicator, [&]() {
       history.observe(stage.clock, critical_time_step, totals, pattern);
     });

@@ -73,6 +73,15 @@ namespace Sandglass
 
 
   double
+  ParticleStage::recent_critical_time_step()
+  {
+    return last_critical_time_step > 0. ? last_critical_time_step :
+                                          critical_time_step();
+  }
+
+
+
+  double
   ParticleStage::choose_time_step()
   {
     double step = 0.;
@@ -85,9 +94,10 @@ namespace Sandglass
             // recovers slowly.
             constexpr double growth = 1.005;
             const double     last   = automatic_time_step;
+            last_critical_time_step = find_critical_time_step();
             automatic_time_step =
               parameters.time_step_safety *
-              std::min(find_critical_time_step(), seeded_critical_time_step);
+              std::min(last_critical_time_step, seeded_critical_time_step);
             if (last > 0.)
               automatic_time_step =
                 std::min(automatic_time_step, growth * last);

@@ -66,9 +66,10 @@ namespace Sandglass
     };
 
     Clock  clock;
-    double automatic_time_step   = 0.; ///< in s
-    double last_local_eigenvalue = 0.; ///< in 1/s^2
-    double impulse_time          = 0.; ///< of the impulses, in s
+    double automatic_time_step     = 0.; ///< in s
+    double last_local_eigenvalue   = 0.; ///< in 1/s^2
+    double last_critical_time_step = 0.; ///< in s
+    double impulse_time            = 0.; ///< of the impulses, in s
 
     std::vector<RankSums>  rank_sums;
     std::vector<Parcel>    particles; ///< in each cell's order
@@ -81,8 +82,9 @@ namespace Sandglass
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &clock &automatic_time_step &last_local_eigenvalue &impulse_time
-        &rank_sums &particles &nodes &observers;
+      archive &clock &automatic_time_step &last_local_eigenvalue
+        &last_critical_time_step &impulse_time &rank_sums &particles &nodes
+          &observers;
     }
   };
 

@@ -44,6 +44,11 @@ namespace Sandglass
     virtual double
     critical_time_step() = 0;
 
+    /// The same, or with automatic steps the one found last, at most
+    /// `Time step interval` steps ago, which costs nothing. Collective.
+    double
+    recent_critical_time_step();
+
     /// Largest speed of this rank's particles, in m/s.
     double
     largest_speed() const;
@@ -79,6 +84,9 @@ namespace Sandglass
 
     /// The stiffest node's when that was found, in 1/s^2.
     double last_local_eigenvalue = 0.;
+
+    /// The critical step found when the automatic one was, in s; 0: none yet.
+    double last_critical_time_step = 0.;
 
     /// Plastic work since the start on this rank, in J.
     double plastic_dissipation = 0.;
