@@ -3,6 +3,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/particle_stage/relocation.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -59,81 +60,78 @@ namespace Sandglass
 
   template <CellType cell_type>
   const std::vector<ParticleSlot> &
-  Relocation<cell_type>::relocate(const std::vector<ParticleSlot> &strays,
-                                  ParticleCloud                   &cloud,
-                                  const Clock                     &clock)
+  Relocation<cell_type>::relocate(Strays        &strays,
+                                  ParticleCloud &cloud,
+                                  const Clock   &clock)
   {
-    departures.clear();
     wall_impulses.clear();
-    for (const ParticleSlot &stray : strays)
-      relocate_one(stray, cloud.change_blocks());
+    auto &parcels = strays.parcels;
+    parcels.erase(std::remove_if(parcels.begin(),
+                                 parcels.end(),
+                                 [this](Parcel &stray) {
+                                   return !find_cell(stray);
+                                 }),
+                  parcels.end());
     throw_if_faulty(clock);
-    cloud.move(departures, arrivals);
+    cloud.insert(parcels, arrivals);
+    strays.clear();
     return arrivals;
   }
 
 
 
   template <CellType cell_type>
-  void
-  Relocation<cell_type>::relocate_one(const ParticleSlot &stray,
-                                      ParticleBlocks     &blocks)
+  bool
+  Relocation<cell_type>::find_cell(Parcel &stray)
   {
     using Kind = typename Location::Kind;
 
-    const Point<dim> position =
-      blocks[stray.block].point(ParticleBlock::location, stray.lane);
-    Location location = geometry.find(position, stray.cell);
+    Location location = geometry.find(stray.location, stray.cell);
     if (location.kind == Kind::outside && is_held_by_lip(stray, location))
-      location = hold_at_wall(stray, location, blocks);
+      location = hold_at_wall(stray, location);
 
     const bool is_at_boundary =
       location.kind == Kind::outside && !is_open(location.role) &&
       Geometry::is_inside(location.reference_point, -rounding);
     if (location.kind == Kind::inside || is_at_boundary)
       {
-        settle(stray, location, blocks);
-        return;
+        settle(stray, location);
+        return true;
       }
 
-    const Parcel parcel = blocks.parcel(stray);
-    const double mass   = parcel.properties[Property::mass];
+    const double mass = stray.properties[Property::mass];
     if (location.kind == Kind::outside && is_open(location.role))
       removed.discharged += mass;
     else
       {
         if (stops_at_loss || location.kind == Kind::invalid)
-          report_fault(parcel, location);
+          report_fault(stray, location);
         removed.lost += mass;
       }
-    departures.push_back({stray, Departure::nowhere, {}});
+    return false;
   }
 
 
 
   template <CellType cell_type>
   void
-  Relocation<cell_type>::settle(const ParticleSlot &stray,
-                                const Location     &location,
-                                ParticleBlocks     &blocks)
+  Relocation<cell_type>::settle(Parcel &stray, const Location &location) const
   {
     const Point<dim> reference_point =
       Geometry::Shape::clamp(location.reference_point, margin);
     // The position follows: on the axis a particle would have no radius.
     if (reference_point != location.reference_point)
-      blocks[stray.block].set_point(
-        ParticleBlock::location,
-        stray.lane,
-        geometry.shape(location.cell).to_real(reference_point));
-    departures.push_back({stray, location.cell, reference_point});
+      stray.location = geometry.shape(location.cell).to_real(reference_point);
+    stray.reference_point = reference_point;
+    stray.cell            = location.cell;
   }
 
 
 
   template <CellType cell_type>
   bool
-  Relocation<cell_type>::is_held_by_lip(const ParticleSlot &stray,
-                                        const Location     &location) const
+  Relocation<cell_type>::is_held_by_lip(const Parcel   &stray,
+                                        const Location &location) const
   {
     return !is_at_free_lip.empty() && is_wall(location.role) &&
            (is_at_free_lip[stray.cell] || is_at_free_lip[location.cell]);
@@ -143,9 +141,7 @@ namespace Sandglass
 
   template <CellType cell_type>
   typename Relocation<cell_type>::Location
-  Relocation<cell_type>::hold_at_wall(const ParticleSlot &stray,
-                                      const Location     &location,
-                                      ParticleBlocks     &blocks)
+  Relocation<cell_type>::hold_at_wall(Parcel &stray, const Location &location)
   {
     const auto          &shape   = geometry.shape(location.cell);
     const auto          &ends    = Geometry::Shape::face_nodes[location.face];
@@ -154,38 +150,31 @@ namespace Sandglass
     const Tensor<1, dim> tangent = edge / edge.norm();
     Tensor<1, dim>       normal({tangent[1], -tangent[0]});
 
-    ParticleBlock   &block = blocks[stray.block];
-    const Point<dim> position =
-      block.point(ParticleBlock::location, stray.lane);
-    const Tensor<1, dim> offset = position - start;
+    const Tensor<1, dim> offset = stray.location - start;
     if (normal * offset < 0.)
       normal *= -1.;
 
-    const Tensor<1, dim> velocity =
-      block.point(ParticleBlock::velocity, stray.lane);
-    const double into_wall  = std::max(0., velocity * normal);
-    const double along_wall = velocity * tangent;
-    const double friction =
+    double *const stored_velocity = &stray.properties[Property::velocity];
+    const Tensor<1, dim> velocity({stored_velocity[0], stored_velocity[1]});
+    const double         into_wall  = std::max(0., velocity * normal);
+    const double         along_wall = velocity * tangent;
+    const double         friction =
       std::min(std::abs(along_wall), friction_coefficient * into_wall);
     const Tensor<1, dim> held_velocity =
       velocity - into_wall * normal -
       std::copysign(friction, along_wall) * tangent;
-    block.set_point(ParticleBlock::velocity,
-                    stray.lane,
-                    Point<dim>(held_velocity));
+    for (unsigned int d = 0; d < dim; ++d)
+      stored_velocity[d] = held_velocity[d];
 
     // A little inside, so that the walk ends in a cell.
-    const Point<dim> on_wall =
-      position - (normal * offset + margin * edge.norm()) * normal;
-    block.set_point(ParticleBlock::location, stray.lane, on_wall);
+    stray.location -= (normal * offset + margin * edge.norm()) * normal;
     wall_impulses.push_back(
       {{{start, shape.node(ends[1])}},
        std::clamp(offset * edge / edge.norm_square(), 0., 1.),
        normal,
-       block.values[ParticleBlock::mass][stray.lane] *
-         (held_velocity - velocity),
+       stray.properties[Property::mass] * (held_velocity - velocity),
        held_velocity});
-    return geometry.find(on_wall, location.cell);
+    return geometry.find(stray.location, location.cell);
   }
 
 

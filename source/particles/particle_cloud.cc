@@ -109,34 +109,33 @@ namespace Sandglass
 
 
   void
-  ParticleCloud::move(const std::vector<Departure> &departures,
-                      std::vector<ParticleSlot>    &arrivals)
+  ParticleCloud::insert(const std::vector<Parcel> &parcels,
+                        std::vector<ParticleSlot> &arrivals)
   {
     arrivals.clear();
-    parcels.clear();
-    for (const auto &departure : departures)
-      if (departure.target_cell != Departure::nowhere)
-        {
-          parcels.push_back(particle_blocks.parcel(departure.particle));
-          parcels.back().cell            = departure.target_cell;
-          parcels.back().reference_point = departure.reference_point;
-        }
+    handler_is_current = false;
+    if (Utilities::MPI::n_mpi_processes(scene.communicator) > 1)
+      {
+        insert_on_owners(parcels, arrivals);
+        return;
+      }
 
-    ParticleBlocks &blocks = change_blocks();
-    for (const auto &departure : departures)
-      blocks.remove(departure.particle);
-
-    if (Utilities::MPI::n_mpi_processes(scene.communicator) == 1)
-      for (const Parcel &parcel : parcels)
-        arrivals.push_back(blocks.insert(parcel));
-    else
-      insert_on_owners(arrivals);
+    // The cells are neighbours of those that the particles have left, but on
+    // fine meshes no cache has kept them.
+    constexpr unsigned int ahead = 8;
+    for (unsigned int n = 0; n < parcels.size(); ++n)
+      {
+        if (n + ahead < parcels.size())
+          particle_blocks.prefetch(parcels[n + ahead].cell);
+        arrivals.push_back(particle_blocks.insert(parcels[n]));
+      }
   }
 
 
 
   void
-  ParticleCloud::insert_on_owners(std::vector<ParticleSlot> &arrivals)
+  ParticleCloud::insert_on_owners(const std::vector<Parcel> &parcels,
+                                  std::vector<ParticleSlot> &arrivals)
   {
     const unsigned int this_rank =
       Utilities::MPI::this_mpi_process(scene.communicator);

@@ -24,15 +24,16 @@ namespace Sandglass
                Bounds::greater_than(0.),
                "N/m^3",
                "Stiffness c_T of sticking contact per wall area.");
-    add_number(*this,
-               "Penalty limit",
-               penalty_limit,
-               Bounds::at_least(0.),
-               "1",
-               "Largest c_T A dt^2 / m of a node with mass m and wall area A in "
-               "the particle stage; where it is exceeded, the node sticks less "
-               "stiffly in this step. Above one half material at rest may "
-               "tremble. 0: no limit (paper).");
+    add_number(
+      *this,
+      "Penalty limit",
+      penalty_limit,
+      Bounds::at_least(0.),
+      "1",
+      "Largest c_T A dt^2 / m of a node with mass m and wall area A in "
+      "the particle stage; where it is exceeded, the node sticks less "
+      "stiffly in this step. Above one half material at rest may "
+      "tremble. 0: no limit (paper).");
     add_selection<NormalCondition>(
       *this,
       "Normal condition",

@@ -71,23 +71,24 @@ namespace
       });
       const auto &velocity = fixture.stage->fields.mapped_velocity;
       // The average of a uniform rate is that rate.
-      const CellGeometry<cell_type>  geometry(*fixture.scene);
-      VolumetricAverage<CellSetting> average(
-        *fixture.scene->nodes,
-        fixture.scene->triangulation.n_active_cells(),
-        0.,
-        true);
+      const CellGeometry<cell_type>            geometry(*fixture.scene);
+      VolumetricAverage<CellSetting>           average(*fixture.scene->nodes,
+                                             geometry,
+                                             0.,
+                                             true);
       const StressUpdate<DensityUpdate::paper> update(
         fixture.material.drucker_prager(), fixture.material.density);
       NodalSums<CellSetting> sums(geometry, 0., {});
-      average.compute(fixture.stage->cloud.blocks(), geometry, sums, velocity);
-      std::vector<ParticleSlot> strays;
+      average.cells->compute(fixture.stage->cloud.blocks());
+      average.compute(fixture.stage->cloud.blocks(), sums, velocity);
+      Strays strays;
       ParticlePass<CellSetting, DensityUpdate::paper, true>(
-        geometry, update, average, StressIntegration::start_of_step, time_step)
+        geometry, update, StressIntegration::start_of_step, time_step)
         .run(fixture.stage->cloud.change_blocks(),
              fixture.stage->fields.acceleration, // none yet
              velocity,
              sums,
+             average,
              strays);
     }
 

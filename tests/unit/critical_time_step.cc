@@ -19,7 +19,7 @@ namespace
     const ParticleBlocks                       &blocks = stage.cloud.blocks();
     const CellGeometry<CellType::quadrilateral> geometry(*fixture.scene);
     NodalSums<Quadrilaterals>                   cells(geometry, 0., {});
-    cells.compute(blocks);
+    cells.cells.compute(blocks);
     MassMatrix<Quadrilaterals> mass_matrix(
       *fixture.scene->nodes,
       geometry,

@@ -10,7 +10,7 @@ namespace
   const CoulombFriction
     return_mapping(0.3, 1e3, 0., FrictionUpdate::return_mapping);
   const CoulombFriction
-    velocity_sign(0.3, 1e3, 0., FrictionUpdate::velocity_sign);
+                   velocity_sign(0.3, 1e3, 0., FrictionUpdate::velocity_sign);
   constexpr double normal_force = 10., mass = 2., area = 0.05, time_step = 0.01;
 
   double

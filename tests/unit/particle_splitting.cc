@@ -81,7 +81,7 @@ namespace
     {
       ParticleBlocks    &blocks = fixture.stage->cloud.change_blocks();
       const unsigned int before = blocks.n_particles();
-      sums->compute(blocks);
+      sums->cells.compute(blocks);
       Splitting splitting(*geometry,
                           *initial_configuration,
                           fixture.scene->mesh,
@@ -89,7 +89,11 @@ namespace
                           fixture.material.density,
                           when);
       if (splitting.is_on())
-        splitting.split(blocks, fixture.stage->fields.mapped_velocity, *sums);
+        splitting.split(blocks,
+                        fixture.stage->fields.mapped_velocity,
+                        [&](const unsigned int cell) {
+                          sums->cells.compute(blocks, cell);
+                        });
       return blocks.n_particles() - before;
     }
 
@@ -190,7 +194,7 @@ TYPED_TEST(ParticleSplittingTest, SumsStayThoseOfTheParticles)
   this->split();
   const ParticleBlocks &blocks = this->fixture.stage->cloud.blocks();
   NodalSums<TypeParam>  anew(*this->geometry, 0., {});
-  anew.compute(blocks);
+  anew.cells.compute(blocks);
   for_each_filled_cell(blocks, [&](const unsigned int cell) {
     for (unsigned int i = 0; i < anew[cell].values.size(); ++i)
       EXPECT_DOUBLE_EQ((*this->sums)[cell].values[i], anew[cell].values[i]);

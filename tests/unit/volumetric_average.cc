@@ -19,7 +19,7 @@ namespace
       , geometry(*fixture.scene)
       , sums(geometry, 0., {})
       , average(*fixture.scene->nodes,
-                fixture.scene->triangulation.n_active_cells(),
+                geometry,
                 0.9 * fixture.material.density,
                 true)
     {}
@@ -30,10 +30,8 @@ namespace
     compute(const Function &velocity)
     {
       fixture.set_mapped_velocity(velocity);
-      average.compute(stage.cloud.blocks(),
-                      geometry,
-                      sums,
-                      stage.fields.mapped_velocity);
+      average.cells->compute(stage.cloud.blocks());
+      average.compute(stage.cloud.blocks(), sums, stage.fields.mapped_velocity);
     }
 
     StageFixture                     fixture;

@@ -128,7 +128,8 @@ namespace Sandglass
       if (volumes.empty() || !(sums.values[Sums::stiff_volume] > 0.))
         return change;
       const Weights weights = exchange(cell, sums, 1.);
-      change.gradient       = gradient_of(velocities, weights.gradients);
+      if constexpr (!Setting::has_constant_gradients) // or there is none
+        change.gradient = gradient_of(velocities, weights.gradients);
       if constexpr (Setting::has_hoop_strain)
         for (unsigned int i = 0; i < n_nodes; ++i)
           change.hoop += velocities[i][0] * weights.values_over_radius[i];

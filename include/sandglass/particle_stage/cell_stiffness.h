@@ -42,7 +42,7 @@ namespace Sandglass
           matrices[cell].setZero();
           blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
             const auto state = load_state(blocks[slot.block], slot.lane);
-            if (is_stiff(state, cells.smallest_stiff_density))
+            if (is_stiff(state, cells.cells.smallest_density))
               add_particle(state, geometry.shape(cell), matrices[cell]);
           });
           const double volume =

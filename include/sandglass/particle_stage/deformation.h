@@ -40,16 +40,20 @@ namespace Sandglass
         rotate(strain, StressRotation<Number>::half_hughes_winget(middle_spin));
     }
 
-    /// The same with another change of volume, theta = tr(strain).
-    DeformationIncrement
-    with_volume_change(const Number &theta) const
+    /// tr(strain)
+    Number
+    volume_change() const
     {
-      const Number difference = theta - strain[Component::xx] -
-                                strain[Component::yy] - strain[Component::zz];
-      DeformationIncrement result(*this);
-      result.strain += isotropic(Number(1. / 3.) * difference);
-      result.jacobian *= Number(1.) + difference;
-      return result;
+      return strain[Component::xx] + strain[Component::yy] +
+             strain[Component::zz];
+    }
+
+    /// Change volume_change() by a difference.
+    void
+    add_volume_change(const Number &difference)
+    {
+      strain += isotropic(Number(1. / 3.) * difference);
+      jacobian *= Number(1.) + difference;
     }
 
   private:

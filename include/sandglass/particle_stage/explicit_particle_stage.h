@@ -31,7 +31,7 @@ namespace Sandglass
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , volumetric_average(
           *scene.nodes,
-          scene.triangulation.n_active_cells(),
+          geometry,
           density_update == DensityUpdate::separation ? material.density : 0.,
           parameters.volumetric_strain == VolumetricStrain::averaged)
       , critical(material.elasticity(), geometry, scene)
@@ -76,18 +76,16 @@ namespace Sandglass
       solve_mapped_velocity(fields, mass_matrix, contact, clock.time_step);
       // Steps 6, 8 and 9: velocity, stress, density and position
       volumetric_average.compute(cloud.blocks(),
-                                 geometry,
                                  nodal_sums,
                                  fields.mapped_velocity);
+      particle_steps += cloud.n_locally_owned_particles();
       plastic_dissipation +=
         volumetric_average.is_on ? pass<true>() : pass<false>();
-      particle_steps += cloud.n_locally_owned_particles();
-      nodal_sums.add(cloud.blocks(), relocation.relocate(strays, cloud, clock));
+      const auto &arrivals = relocation.relocate(strays, cloud, clock);
+      for_each_sums([&](auto &cells) { cells.add(cloud.blocks(), arrivals); });
       contact.add_impulses(relocation.wall_impulses);
       if (splitting.is_on() && clock.step % splitting.interval == 0)
-        splitting.split(cloud.change_blocks(),
-                        fields.mapped_velocity,
-                        nodal_sums);
+        split_particles();
       scatter_sums();
       // Step 10
       clock.time += clock.time_step;
@@ -113,7 +111,7 @@ namespace Sandglass
         for (auto &particle : handler)
           set_initial_state(initial_state, particle);
       });
-      find_strays();
+      take_out_strays();
       relocation.relocate(strays, cloud, clock);
       cloud.start_new_edition();
     }
@@ -139,14 +137,36 @@ namespace Sandglass
       return ParticlePass<Setting, density_update, is_averaged>(
                geometry,
                stress_update,
-               volumetric_average,
                parameters.stress_integration,
                clock.time_step)
         .run(cloud.change_blocks(),
              fields.acceleration,
              fields.mapped_velocity,
              nodal_sums,
+             volumetric_average,
              strays);
+    }
+
+    /// Call `function(sums)` for the sums over particles in their cells.
+    template <typename Function>
+    void
+    for_each_sums(const Function &function)
+    {
+      function(nodal_sums.cells);
+      if (volumetric_average.is_on)
+        function(*volumetric_average.cells);
+    }
+
+    void
+    split_particles()
+    {
+      splitting.split(cloud.change_blocks(),
+                      fields.mapped_velocity,
+                      [this](const unsigned int cell) {
+                        for_each_sums([&](auto &cells) {
+                          cells.compute(cloud.blocks(), cell);
+                        });
+                      });
     }
 
     /// The sums at the nodes, anew if particles have changed by other means.
@@ -155,7 +175,7 @@ namespace Sandglass
     {
       if (edition_of_sums != cloud.edition())
         {
-          nodal_sums.compute(cloud.blocks());
+          for_each_sums([&](auto &cells) { cells.compute(cloud.blocks()); });
           scatter_sums();
           edition_of_sums = cloud.edition();
         }
@@ -191,18 +211,21 @@ namespace Sandglass
 
     /// All particles that are outside their cells.
     void
-    find_strays()
+    take_out_strays()
     {
-      strays.clear();
+      std::vector<ParticleSlot> slots;
       cloud.blocks().for_each([&](const ParticleSlot &slot) {
         const Point<dim> reference =
           cloud.blocks()[slot.block].point(ParticleBlock::reference, slot.lane);
         if (!CellGeometry<Setting::cell_type>::is_inside(
               reference, Relocation<Setting::cell_type>::margin))
-          strays.push_back(slot);
+          slots.push_back(slot);
       });
+      strays.clear();
       // The order that ParticleBlocks::remove() asks for.
-      std::reverse(strays.begin(), strays.end());
+      for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot)
+        strays.add(*slot);
+      strays.take_out(cloud.change_blocks());
     }
 
     void
@@ -264,7 +287,7 @@ namespace Sandglass
     unsigned int edition_of_sums = numbers::invalid_unsigned_int;
 
     /// Kept between steps to avoid allocation.
-    std::vector<ParticleSlot> strays;
+    Strays strays;
   };
 } // namespace Sandglass
 

@@ -2,6 +2,7 @@
 #define sandglass_particle_stage_nodal_sums_h
 
 #include <sandglass/particle_stage/cell_integration.h>
+#include <sandglass/particle_stage/sums_by_cell.h>
 
 namespace Sandglass
 {
@@ -11,8 +12,8 @@ namespace Sandglass
    * axisymmetric with the hoop row N_i / x of B). The gravity force of step 4
    * is the nodal mass times gravity and needs no sum of its own.
    *
-   * They come in two stages: the particles' sums in their cell, which the pass
-   * over the particles leaves for the next step, and the cells' at the nodes.
+   * They come in two stages: the particles' sums in their cell, and the cells'
+   * at the nodes.
    */
   template <typename Setting>
   class NodalSums
@@ -20,8 +21,6 @@ namespace Sandglass
   public:
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
     using Geometry                        = CellGeometry<Setting::cell_type>;
-    using OfCell                          = CellSums<Setting, double>;
-    using OfBlocks                        = CellSums<Setting, Lanes>;
 
     /// @param smallest_stiff_density  of particles without stress that count as
     ///                                stiff, in kg/m^3.
@@ -29,53 +28,10 @@ namespace Sandglass
     NodalSums(const Geometry                &geometry,
               const double                   smallest_stiff_density,
               const std::vector<Point<dim>> &points)
-      : smallest_stiff_density(smallest_stiff_density)
+      : cells(geometry, smallest_stiff_density)
       , geometry(geometry)
       , integration(geometry, points)
-      , cells(geometry.n_cells())
     {}
-
-    /// Sum over all particles anew, in their cells.
-    void
-    compute(const ParticleBlocks &blocks)
-    {
-      run_with_widest_vectors([&]() {
-        for_each_filled_cell(blocks, [&](const unsigned int cell) {
-          compute(blocks, cell);
-        });
-      });
-    }
-
-    /// The same for the particles of one cell.
-    void
-    compute(const ParticleBlocks &blocks, const unsigned int cell)
-    {
-      OfBlocks sums;
-      sums.clear();
-      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
-        sums.add(load_state(blocks[block]),
-                 smallest_stiff_density,
-                 geometry.shape(cell));
-      });
-      sum_lanes(sums.values, cells[cell].values);
-    }
-
-    /// Add particles that have just come into their cells, in this order.
-    void
-    add(const ParticleBlocks &blocks, const std::vector<ParticleSlot> &arrivals)
-    {
-      for (const ParticleSlot &slot : arrivals)
-        {
-          const bool is_first =
-            slot.lane == 0 &&
-            blocks.next_block(slot.block) == ParticleBlocks::none;
-          if (is_first)
-            cells[slot.cell].clear();
-          cells[slot.cell].add(load_state(blocks[slot.block], slot.lane),
-                               smallest_stiff_density,
-                               geometry.shape(slot.cell));
-        }
-    }
 
     /**
      * The cells' sums at the nodes. Collective.
@@ -162,13 +118,8 @@ namespace Sandglass
       return integration.volume(cell, cells[cell]);
     }
 
-    OfCell &
-    operator[](const unsigned int cell)
-    {
-      return cells[cell];
-    }
-
-    const OfCell &
+    /// The particles' sums in a cell.
+    const CellSums<Setting, double> &
     operator[](const unsigned int cell) const
     {
       return cells[cell];
@@ -182,7 +133,8 @@ namespace Sandglass
       return integration.rate_change(cell, cells[cell], velocities);
     }
 
-    const double smallest_stiff_density;
+    /// The particles' sums in their cells.
+    SumsByCell<Setting, CellSums> cells;
 
   private:
     using Shape = CellShape<Setting::cell_type>;
@@ -221,7 +173,6 @@ namespace Sandglass
 
     const Geometry                &geometry;
     const CellIntegration<Setting> integration;
-    std::vector<OfCell> cells; ///< of all cells; those of empty ones are old
   };
 } // namespace Sandglass
 

@@ -1,12 +1,12 @@
 #ifndef sandglass_particle_stage_particle_pass_h
 #define sandglass_particle_stage_particle_pass_h
 
-#include <sandglass/particle_stage/deformation.h>
+#include <sandglass/particle_stage/cell_deformation.h>
 #include <sandglass/particle_stage/nodal_sums.h>
 #include <sandglass/particle_stage/particle_motion.h>
 #include <sandglass/particle_stage/relocation.h>
-#include <sandglass/particle_stage/stress_update.h>
 #include <sandglass/particle_stage/volumetric_average.h>
+#include <sandglass/particles/strays.h>
 
 namespace Sandglass
 {
@@ -28,12 +28,10 @@ namespace Sandglass
 
     ParticlePass(const Geometry                     &geometry,
                  const StressUpdate<density_update> &stress_update,
-                 const VolumetricAverage<Setting>   &volumetric_average,
                  const StressIntegration             integration,
                  const double                        time_step)
       : geometry(geometry)
       , stress_update(stress_update)
-      , volumetric_average(volumetric_average)
       , integration(integration)
       , time_step(time_step)
     {}
@@ -42,22 +40,23 @@ namespace Sandglass
      * @param acceleration  of step 5, in m/s^2.
      * @param velocity      v^L of step 7, in m/s.
      * @param[out] sums     of the particles that are still in their cells.
-     * @param[out] strays   the others, in the order that
-     *                      ParticleBlocks::remove() asks for; their reference
-     *                      coordinates are not valid.
+     * @param[in,out] volumetric_average  of velocity; then the sums for the
+     *                      next one.
+     * @param[out] strays   the others, taken out of the blocks.
      * @return the plastic work of the step in J.
      */
     double
-    run(ParticleBlocks            &blocks,
-        const NodalField<dim>     &acceleration,
-        const NodalField<dim>     &velocity,
-        NodalSums<Setting>        &sums,
-        std::vector<ParticleSlot> &strays) const
+    run(ParticleBlocks             &blocks,
+        const NodalField<dim>      &acceleration,
+        const NodalField<dim>      &velocity,
+        NodalSums<Setting>         &sums,
+        VolumetricAverage<Setting> &volumetric_average,
+        Strays                     &strays) const
     {
       strays.clear();
       Lanes dissipation(0.);
       run_with_widest_vectors([&]() {
-        for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        for_each_cell_of_particles(blocks, [&](const unsigned int cell) {
           const auto &nodes = geometry.nodes(cell);
           run_in_cell(blocks,
                       cell,
@@ -65,6 +64,7 @@ namespace Sandglass
                       gather(velocity, nodes),
                       dissipation,
                       sums,
+                      volumetric_average,
                       strays);
         });
       });
@@ -72,43 +72,48 @@ namespace Sandglass
     }
 
   private:
-    using OfNodes    = CellValues<dim, n_nodes>;
-    using RateChange = typename CellIntegration<Setting>::RateChange;
+    using OfNodes     = CellValues<dim, n_nodes>;
+    using Deformation = CellDeformation<Setting, is_averaged>;
 
     void
-    run_in_cell(ParticleBlocks            &blocks,
-                const unsigned int         cell,
-                const OfNodes             &accelerations,
-                const OfNodes             &velocities,
-                Lanes                     &dissipation,
-                NodalSums<Setting>        &sums,
-                std::vector<ParticleSlot> &strays) const
+    run_in_cell(ParticleBlocks             &blocks,
+                const unsigned int          cell,
+                const OfNodes              &accelerations,
+                const OfNodes              &velocities,
+                Lanes                      &dissipation,
+                NodalSums<Setting>         &sums,
+                VolumetricAverage<Setting> &volumetric_average,
+                Strays                     &strays) const
     {
       const Shape &shape = geometry.shape(cell);
-      Deformations common;
-      RateChange   change;
-      if constexpr (Setting::has_uniform_strain)
-        common = deformations<double>(cell, shape, velocities, {}, {}, 1., {});
-      else
-        change = sums.rate_change(cell, velocities);
 
-      CellSums<Setting, Lanes> cell_sums;
+      typename Deformation::RateChange change;
+      if constexpr (!Setting::has_uniform_strain)
+        change = sums.rate_change(cell, velocities);
+      AveragedRate averaged{};
+      if constexpr (is_averaged)
+        averaged = {volumetric_average.rate(cell),
+                    volumetric_average.smallest_density};
+      const Deformation deformation(shape,
+                                    velocities,
+                                    change,
+                                    averaged,
+                                    stress_update.law.elasticity,
+                                    integration,
+                                    time_step);
+
+      CellSums<Setting, Lanes>       cell_sums;
+      VolumetricSums<Setting, Lanes> volumetric_sums;
       cell_sums.clear();
+      volumetric_sums.clear();
       blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
         ParticleState<Lanes> state  = load_state(blocks[block]);
         const auto           values = Shape::shape_values(state.reference);
         accelerate(interpolate(accelerations, values), time_step, state);
 
         const Pair<Lanes> velocity = interpolate(velocities, values);
-        if constexpr (!Setting::has_uniform_strain)
-          common = deformations<Lanes>(cell,
-                                       shape,
-                                       velocities,
-                                       state.reference,
-                                       velocity,
-                                       state.location[0],
-                                       change);
-        const Lanes work_density = update_stress(common, state);
+        const Lanes       work_density =
+          stress_update(state, deformation(state, velocity));
         dissipation += state.volume() * work_density;
 
         move(velocity, time_step, shape, state);
@@ -119,101 +124,31 @@ namespace Sandglass
         if (!all(is_inside))
           add_strays(is_inside, {cell, block, 0}, blocks, strays);
         state.mass = select(is_inside, state.mass, Lanes(0.));
-        cell_sums.add(state, sums.smallest_stiff_density, shape);
+        cell_sums.add(state, sums.cells.smallest_density, shape);
+        if constexpr (is_averaged)
+          volumetric_sums.add(state,
+                              volumetric_average.smallest_density,
+                              shape);
       });
-      sum_lanes(cell_sums.values, sums[cell].values);
-    }
-
-    /// With the particle's own change of volume and with the cell's average.
-    template <typename Number>
-    struct OwnAndAveraged
-    {
-      ParticleDeformation<Number> own;
-      ParticleDeformation<Number> averaged;
-    };
-
-    using Deformations = OwnAndAveraged<
-      std::conditional_t<Setting::has_uniform_strain, double, Lanes>>;
-
-    template <typename Number>
-    OwnAndAveraged<Number>
-    deformations(const unsigned int  cell,
-                 const Shape        &shape,
-                 const OfNodes      &velocities,
-                 const Pair<Number> &reference,
-                 const Pair<Number> &velocity,
-                 const Number       &radius,
-                 const RateChange   &change) const
-    {
-      auto gradient = gradient_of(velocities, shape.shape_gradients(reference));
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int e = 0; e < dim; ++e)
-          {
-            if constexpr (!Setting::has_uniform_strain)
-              gradient[d][e] += change.gradient[d][e];
-            gradient[d][e] *= time_step;
-          }
-      Number hoop(0.);
-      if constexpr (Setting::has_hoop_strain)
-        hoop = time_step * (velocity[0] / radius + change.hoop);
-      const DeformationIncrement<Number> increment(gradient, hoop, integration);
-
-      OwnAndAveraged<Number> result;
-      result.own = deformation(increment);
+      strays.take_out(blocks);
+      sums.cells.set(cell, cell_sums);
       if constexpr (is_averaged)
-        result.averaged = deformation(increment.with_volume_change(
-          time_step * volumetric_average.rate(cell)));
-      return result;
-    }
-
-    template <typename Number>
-    ParticleDeformation<Number>
-    deformation(const DeformationIncrement<Number> &increment) const
-    {
-      return {stress_update.law.elasticity.stress(increment.strain),
-              increment.rotation,
-              Number(1.) / increment.jacobian};
-    }
-
-    /// Step 8; returns the plastic work per volume in J/m^3.
-    Lanes
-    update_stress(const Deformations &common, ParticleState<Lanes> &state) const
-    {
-      if constexpr (!is_averaged)
-        return stress_update(state, common.own);
-      else
-        {
-          const auto is_stressed =
-            state.density >= Lanes(volumetric_average.smallest_density);
-          const auto choose = [&](const Lanes &averaged, const Lanes &own) {
-            return select(is_stressed, averaged, own);
-          };
-          ParticleDeformation<Lanes> chosen;
-          for (unsigned int c = 0; c < 4; ++c)
-            chosen.elastic_stress[c] = choose(common.averaged.elastic_stress[c],
-                                              common.own.elastic_stress[c]);
-          chosen.rotation         = {common.own.rotation.cosine,
-                                     common.own.rotation.sine};
-          chosen.inverse_jacobian = choose(common.averaged.inverse_jacobian,
-                                           common.own.inverse_jacobian);
-          return stress_update(state, chosen);
-        }
+        volumetric_average.cells->set(cell, volumetric_sums);
     }
 
     static void
-    add_strays(const Lanes::Mask         &is_inside,
-               ParticleSlot               slot,
-               const ParticleBlocks      &blocks,
-               std::vector<ParticleSlot> &strays)
+    add_strays(const Lanes::Mask    &is_inside,
+               ParticleSlot          slot,
+               const ParticleBlocks &blocks,
+               Strays               &strays)
     {
       for (slot.lane = blocks.n_lanes(slot.block); slot.lane-- > 0;)
         if (!is_inside[slot.lane])
-          strays.push_back(slot);
+          strays.add(slot);
     }
 
     const Geometry                     &geometry;
     const StressUpdate<density_update> &stress_update;
-    const VolumetricAverage<Setting>   &volumetric_average;
     const StressIntegration             integration;
     const double                        time_step;
 

@@ -69,12 +69,13 @@ namespace Sandglass
 
     /**
      * @param velocity  v^L of step 7 in m/s, with its ghosts.
-     * @param[in,out] sums  stay those of the particles.
+     * @param changed   is called with each cell in which particles were halved.
      */
+    template <typename Changed>
     void
     split(ParticleBlocks        &blocks,
           const NodalField<dim> &velocity,
-          NodalSums<Setting>    &sums)
+          const Changed         &changed)
     {
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
         find_large_particles(blocks, cell);
@@ -87,7 +88,7 @@ namespace Sandglass
         for (const Parcel &half : halves)
           blocks.insert(half);
         if (!halves.empty())
-          sums.compute(blocks, cell);
+          changed(cell);
       });
     }
 

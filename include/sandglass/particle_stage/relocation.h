@@ -6,6 +6,7 @@
 #include <sandglass/particle_stage/wall_impulse.h>
 #include <sandglass/particles/cell_geometry.h>
 #include <sandglass/particles/particle_cloud.h>
+#include <sandglass/particles/strays.h>
 #include <sandglass/walls/friction.h>
 #include <sandglass/walls/wall_parameters.h>
 
@@ -49,16 +50,13 @@ namespace Sandglass
      * Collective. Throws RunError on each rank if a particle is lost on any and
      * the parameters say stop, or if a position is not a number.
      *
-     * @param strays  particles that may have left their cell, in the order that
-     *                ParticleBlocks::remove() asks for; their reference
-     *                coordinates are ignored.
+     * @param strays  particles without a cell; empty afterwards.
+     * @param cloud   takes those that are in the grid.
      * @param clock   tells step and time in the message.
      * @return where they are now; valid until the next call.
      */
     const std::vector<ParticleSlot> &
-    relocate(const std::vector<ParticleSlot> &strays,
-             ParticleCloud                   &cloud,
-             const Clock                     &clock);
+    relocate(Strays &strays, ParticleCloud &cloud, const Clock &clock);
 
     RemovedMass removed;
 
@@ -68,24 +66,21 @@ namespace Sandglass
   private:
     using Location = typename Geometry::Location;
 
-    void
-    relocate_one(const ParticleSlot &stray, ParticleBlocks &blocks);
+    /// Give a stray its new cell; returns whether it has one.
+    bool
+    find_cell(Parcel &stray);
 
     void
-    settle(const ParticleSlot &stray,
-           const Location     &location,
-           ParticleBlocks     &blocks);
+    settle(Parcel &stray, const Location &location) const;
 
     /// Whether a free lip's wall holds the particle itself.
     bool
-    is_held_by_lip(const ParticleSlot &stray, const Location &location) const;
+    is_held_by_lip(const Parcel &stray, const Location &location) const;
 
     /// Put a particle beyond a wall back onto it, and stop its motion into it
     /// as far as friction and wall do.
     Location
-    hold_at_wall(const ParticleSlot &stray,
-                 const Location     &location,
-                 ParticleBlocks     &blocks);
+    hold_at_wall(Parcel &stray, const Location &location);
 
     void
     report_fault(const Parcel &stray, const Location &location);
@@ -105,7 +100,6 @@ namespace Sandglass
     std::string fault;
 
     /// Kept between calls to avoid allocation.
-    std::vector<Departure>    departures;
     std::vector<ParticleSlot> arrivals;
   };
 } // namespace Sandglass

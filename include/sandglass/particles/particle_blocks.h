@@ -100,6 +100,19 @@ namespace Sandglass
     Parcel
     parcel(const ParticleSlot &slot) const;
 
+    /// Fetch a cell's first block into the cache.
+    void
+    prefetch(const unsigned int cell) const
+    {
+      constexpr unsigned int line = 64; // bytes
+      if (first[cell] == none)
+        return;
+      __builtin_prefetch(&links[first[cell]], 1);
+      const char *start = reinterpret_cast<const char *>(&blocks[first[cell]]);
+      for (unsigned int byte = 0; byte < sizeof(ParticleBlock); byte += line)
+        __builtin_prefetch(start + byte, 1);
+    }
+
     /// Copy a parcel's state, all but the cell, into a slot.
     void
     overwrite(const ParticleSlot &slot, const Parcel &parcel);

@@ -10,17 +10,6 @@
 
 namespace Sandglass
 {
-  /// A particle that has left its cell, and where it went.
-  struct Departure
-  {
-    /// Instead of a target cell: the particle is deleted.
-    static constexpr unsigned int nowhere = numbers::invalid_unsigned_int;
-
-    ParticleSlot particle;
-    unsigned int target_cell;
-    Point<dim>   reference_point; ///< in the target cell
-  };
-
   /**
    * The material points. deal.II's ParticleHandler owns their identity, place,
    * cell and properties (particle_properties.h); the time loop works on a copy
@@ -78,19 +67,16 @@ namespace Sandglass
     }
 
     /**
-     * Hand the particles over to their new cells, on whichever rank these are,
-     * with id and all properties, or delete those that go nowhere. Collective.
-     * Each particle may occur once, those of a cell in the order that
-     * ParticleBlocks::remove() asks for. The new order of particles in a cell
-     * depends only on the old one and on the departures, so that runs repeat
-     * exactly.
+     * Hand particles over to their cells, on whichever rank these are.
+     * Collective. The order of particles in a cell depends only on the order in
+     * which they came and went, so that runs repeat exactly.
      *
      * @param[out] arrivals  where this rank's new particles are, in the order
      *                       in which they came.
      */
     void
-    move(const std::vector<Departure> &departures,
-         std::vector<ParticleSlot>    &arrivals);
+    insert(const std::vector<Parcel> &parcels,
+           std::vector<ParticleSlot> &arrivals);
 
     /// Insert a particle into a cell that this rank owns.
     ParticleSlot
@@ -125,7 +111,8 @@ namespace Sandglass
     update_handler(const CellIterator &cell);
 
     void
-    insert_on_owners(std::vector<ParticleSlot> &arrivals);
+    insert_on_owners(const std::vector<Parcel> &parcels,
+                     std::vector<ParticleSlot> &arrivals);
 
     const Scene              &scene;
     std::vector<CellIterator> cells_all;
@@ -137,7 +124,6 @@ namespace Sandglass
     unsigned int   n_edits            = 0;
 
     /// Kept between calls to avoid allocation.
-    std::vector<Parcel> parcels;
     std::vector<Parcel> parcels_of_cell;
   };
 } // namespace Sandglass

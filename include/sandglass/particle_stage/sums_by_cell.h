@@ -1,0 +1,100 @@
+#ifndef sandglass_particle_stage_sums_by_cell_h
+#define sandglass_particle_stage_sums_by_cell_h
+
+#include <sandglass/base/instruction_sets.h>
+#include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/particles/cell_geometry.h>
+#include <sandglass/particles/particle_state.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Sums over the particles of each cell. The pass over the particles leaves
+   * them for the next step; what changes particles otherwise has to keep them
+   * up to date.
+   *
+   * @tparam Sums  of one cell, Sums<Setting, Number>: an array `values`,
+   *               clear(), and add(particles, smallest_density, shape).
+   */
+  template <typename Setting, template <typename, typename> class Sums>
+  class SumsByCell
+  {
+  public:
+    using Geometry = CellGeometry<Setting::cell_type>;
+    using OfCell   = Sums<Setting, double>;
+    using OfBlocks = Sums<Setting, Lanes>;
+
+    /// @param smallest_density  handed on to Sums::add(), in kg/m^3.
+    SumsByCell(const Geometry &geometry, const double smallest_density)
+      : smallest_density(smallest_density)
+      , geometry(geometry)
+      , cells(geometry.n_cells())
+    {}
+
+    /// Sum over all particles anew.
+    void
+    compute(const ParticleBlocks &blocks)
+    {
+      run_with_widest_vectors([&]() {
+        for_each_filled_cell(blocks, [&](const unsigned int cell) {
+          compute(blocks, cell);
+        });
+      });
+    }
+
+    /// The same for the particles of one cell.
+    void
+    compute(const ParticleBlocks &blocks, const unsigned int cell)
+    {
+      OfBlocks sums;
+      sums.clear();
+      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+        sums.add(load_state(blocks[block]),
+                 smallest_density,
+                 geometry.shape(cell));
+      });
+      set(cell, sums);
+    }
+
+    /// The sums of a cell from those of its blocks.
+    void
+    set(const unsigned int cell, const OfBlocks &sums)
+    {
+      sum_lanes(sums.values, cells[cell].values);
+    }
+
+    /// Add particles that have just come into their cells, in this order.
+    void
+    add(const ParticleBlocks &blocks, const std::vector<ParticleSlot> &arrivals)
+    {
+      for (const ParticleSlot &slot : arrivals)
+        {
+          const bool is_first =
+            slot.lane == 0 &&
+            blocks.next_block(slot.block) == ParticleBlocks::none;
+          if (is_first)
+            cells[slot.cell].clear();
+          cells[slot.cell].add(load_state(blocks[slot.block], slot.lane),
+                               smallest_density,
+                               geometry.shape(slot.cell));
+        }
+    }
+
+    /// Of a cell that holds particles; those of empty ones are old.
+    const OfCell &
+    operator[](const unsigned int cell) const
+    {
+      return cells[cell];
+    }
+
+    const double smallest_density;
+
+  private:
+    const Geometry     &geometry;
+    std::vector<OfCell> cells;
+  };
+} // namespace Sandglass
+
+#endif

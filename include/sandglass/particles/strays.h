@@ -1,0 +1,56 @@
+#ifndef sandglass_particles_strays_h
+#define sandglass_particles_strays_h
+
+#include <sandglass/particles/particle_blocks.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Particles that have left their cells in a step, on their way to others.
+   *
+   * They are taken out cell by cell, while their blocks are still in the cache:
+   * on fine meshes that is most of what a change of cell costs.
+   */
+  class Strays
+  {
+  public:
+    /// Forget all, but keep the memory.
+    void
+    clear()
+    {
+      slots.clear();
+      parcels.clear();
+    }
+
+    /// Add a particle, those of a cell in the order that
+    /// ParticleBlocks::remove() asks for.
+    void
+    add(const ParticleSlot &slot)
+    {
+      slots.push_back(slot);
+    }
+
+    /// Take those added since the last call out of their cell.
+    void
+    take_out(ParticleBlocks &blocks)
+    {
+      for (const ParticleSlot &slot : slots)
+        {
+          parcels.push_back(blocks.parcel(slot));
+          blocks.remove(slot);
+        }
+      slots.clear();
+    }
+
+    /// Those taken out. Their reference coordinates are those in the cell that
+    /// they have left, so not valid in any.
+    std::vector<Parcel> parcels;
+
+  private:
+    std::vector<ParticleSlot> slots;
+  };
+} // namespace Sandglass
+
+#endif
