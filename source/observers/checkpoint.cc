@@ -136,6 +136,49 @@ namespace Sandglass
         }
       stage.contact.set_sums(sums);
     }
+
+
+
+    /// All but the particles; complete on rank 0.
+    Checkpoint
+    take_without_particles(ParticleStage &stage)
+    {
+      const MPI_Comm communicator = stage.scene.communicator;
+      const auto    &removed      = stage.removed_mass();
+      const std::vector<Checkpoint::RankSums> rank_sums = {
+        {stage.plastic_dissipation,
+         stage.contact.friction_dissipation(),
+         removed.discharged,
+         removed.lost}};
+
+      Checkpoint checkpoint;
+      checkpoint.clock                   = stage.clock;
+      checkpoint.automatic_time_step     = stage.automatic_time_step;
+      checkpoint.last_local_eigenvalue   = stage.last_local_eigenvalue;
+      checkpoint.last_critical_time_step = stage.last_critical_time_step;
+      checkpoint.impulse_time            = stage.contact.sums().time;
+      checkpoint.rank_sums               = gather(rank_sums, communicator);
+      checkpoint.nodes = gather(pack_nodes(stage), communicator);
+      return checkpoint;
+    }
+
+
+
+    void
+    restore_without_particles(const Checkpoint &checkpoint,
+                              ParticleStage    &stage)
+    {
+      const auto sums = sums_of_rank(checkpoint, stage.scene.communicator);
+
+      stage.clock                     = checkpoint.clock;
+      stage.automatic_time_step       = checkpoint.automatic_time_step;
+      stage.last_local_eigenvalue     = checkpoint.last_local_eigenvalue;
+      stage.last_critical_time_step   = checkpoint.last_critical_time_step;
+      stage.plastic_dissipation       = sums.plastic_dissipation;
+      stage.removed_mass().discharged = sums.mass_discharged;
+      stage.removed_mass().lost       = sums.mass_lost;
+      restore_contact(checkpoint, sums.friction_dissipation, stage);
+    }
   } // namespace
 
 
@@ -143,23 +186,9 @@ namespace Sandglass
   Checkpoint
   take_checkpoint(ParticleStage &stage)
   {
-    const MPI_Comm communicator = stage.scene.communicator;
-    const auto    &removed      = stage.removed_mass();
-    const std::vector<Checkpoint::RankSums> rank_sums = {
-      {stage.plastic_dissipation,
-       stage.contact.friction_dissipation(),
-       removed.discharged,
-       removed.lost}};
-
-    Checkpoint checkpoint;
-    checkpoint.clock                   = stage.clock;
-    checkpoint.automatic_time_step     = stage.automatic_time_step;
-    checkpoint.last_local_eigenvalue   = stage.last_local_eigenvalue;
-    checkpoint.last_critical_time_step = stage.last_critical_time_step;
-    checkpoint.impulse_time            = stage.contact.sums().time;
-    checkpoint.rank_sums               = gather(rank_sums, communicator);
-    checkpoint.particles = gather(pack_particles(stage), communicator);
-    checkpoint.nodes     = gather(pack_nodes(stage), communicator);
+    Checkpoint checkpoint = take_without_particles(stage);
+    checkpoint.particles =
+      gather(pack_particles(stage), stage.scene.communicator);
     return checkpoint;
   }
 
@@ -168,16 +197,23 @@ namespace Sandglass
   void
   restore(const Checkpoint &checkpoint, ParticleStage &stage)
   {
-    const auto sums = sums_of_rank(checkpoint, stage.scene.communicator);
-
-    stage.clock                     = checkpoint.clock;
-    stage.automatic_time_step       = checkpoint.automatic_time_step;
-    stage.last_local_eigenvalue     = checkpoint.last_local_eigenvalue;
-    stage.last_critical_time_step   = checkpoint.last_critical_time_step;
-    stage.plastic_dissipation       = sums.plastic_dissipation;
-    stage.removed_mass().discharged = sums.mass_discharged;
-    stage.removed_mass().lost       = sums.mass_lost;
+    restore_without_particles(checkpoint, stage);
     restore_particles(checkpoint.particles, stage);
-    restore_contact(checkpoint, sums.friction_dissipation, stage);
+  }
+
+
+
+  void
+  hand_over(ParticleStage &from, ParticleStage &to)
+  {
+    restore_without_particles(Utilities::MPI::broadcast(from.scene.communicator,
+                                                        take_without_particles(
+                                                          from)),
+                              to);
+    to.particle_steps = from.particle_steps;
+
+    std::vector<ParticleSlot> arrivals;
+    to.cloud.clear();
+    to.cloud.insert(pack_particles(from), arrivals);
   }
 } // namespace Sandglass

@@ -67,12 +67,28 @@ namespace Sandglass
   void
   Observers::resume(ParticleStage &stage, const Checkpoint &checkpoint)
   {
+    restore(checkpoint, stage);
+    go_on_from(checkpoint.observers, stage);
+  }
+
+
+
+  void
+  Observers::go_on_from(const Observers &before, ParticleStage &stage)
+  {
+    go_on_from(before.archived(), stage);
+  }
+
+
+
+  void
+  Observers::go_on_from(const std::string &archived, ParticleStage &stage)
+  {
     {
       TimerOutput::Scope              scope(timings, Timing::output);
-      std::istringstream              state(checkpoint.observers);
+      std::istringstream              state(archived);
       boost::archive::binary_iarchive archive(state);
       archive >> *this;
-      restore(checkpoint, stage);
       for (Schedule *times : {&history_times, &field_times, &checkpoint_times})
         times->pass(stage.clock.time);
       open_files();
@@ -80,6 +96,19 @@ namespace Sandglass
     }
     write_summary("running");
     progress.start(stage.clock.time);
+  }
+
+
+
+  std::string
+  Observers::archived() const
+  {
+    std::ostringstream state;
+    {
+      boost::archive::binary_oarchive archive(state);
+      archive << *this;
+    }
+    return state.str();
   }
 
 
@@ -229,12 +258,7 @@ namespace Sandglass
     do_and_share_errors(communicator, [&]() {
       if (!is_writer)
         return;
-      std::ostringstream state;
-      {
-        boost::archive::binary_oarchive archive(state);
-        archive << std::as_const(*this);
-      }
-      checkpoint.observers = state.str();
+      checkpoint.observers = archived();
       write_checkpoint(
         parameters.directory,
         checkpoint_settings(scene, material, walls, stage.parameters),

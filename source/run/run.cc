@@ -2,6 +2,7 @@
 #include <sandglass/observers/banner.h>
 #include <sandglass/observers/observers.h>
 #include <sandglass/observers/output_directory.h>
+#include <sandglass/run/load_balance.h>
 #include <sandglass/run/run.h>
 #include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
@@ -13,15 +14,40 @@ namespace Sandglass
 {
   namespace
   {
-    Scene
-    make_scene(const SceneParameters &parameters, const MPI_Comm communicator)
+    /// What works on one partition of the mesh.
+    struct Part
     {
-      return {make_mesh(parameters, communicator),
-              parameters.formulation,
-              parameters.particles_per_cell,
-              parameters.gravity,
-              communicator};
-    }
+      Part(const Parameters                &parameters,
+           const Mesh                      &mesh,
+           const std::vector<unsigned int> &cell_weights,
+           const MPI_Comm                   communicator,
+           Log                             &log,
+           TimerOutput                     &timings)
+        : scene(mesh,
+                parameters.scene.formulation,
+                parameters.scene.particles_per_cell,
+                parameters.scene.gravity,
+                communicator,
+                cell_weights)
+        , stage(make_particle_stage(scene,
+                                    parameters.material,
+                                    parameters.walls,
+                                    parameters.particle_stage))
+        , observers(parameters.output,
+                    scene,
+                    parameters.material,
+                    parameters.walls,
+                    parameters.particle_stage.end_time,
+                    log,
+                    timings)
+        , balance(scene)
+      {}
+
+      const Scene                          scene;
+      const std::unique_ptr<ParticleStage> stage;
+      Observers                            observers;
+      LoadBalance                          balance;
+    };
 
 
 
@@ -56,17 +82,19 @@ namespace Sandglass
 
 
 
+    /// To the end, or until the ranks should share the cells out anew.
     void
-    flow(ParticleStage &stage, Observers &observers, TimerOutput &timings)
+    flow(Part &part, TimerOutput &timings)
     {
-      while (!stage.is_finished())
+      do
         {
           {
             TimerOutput::Scope scope(timings, Timing::particle_loop);
-            stage.step();
+            part.stage->step();
           }
-          observers.after_step(stage);
+          part.observers.after_step(*part.stage);
         }
+      while (!part.stage->is_finished() && !part.balance.is_lost(*part.stage));
     }
   } // namespace
 
@@ -81,20 +109,26 @@ namespace Sandglass
     log.stream() << banner(communicator) << std::flush;
 
     // Of this rank alone: otherwise deal.II adds a warning to each error.
-    TimerOutput timings(log.stream(),
+    TimerOutput           timings(log.stream(),
                         TimerOutput::never,
                         TimerOutput::wall_times);
-    timings.enter_subsection(Timing::set_up);
-    const Scene scene = make_scene(parameters.scene, communicator);
-    const std::unique_ptr<ParticleStage> stage = make_particle_stage(
-      scene, parameters.material, parameters.walls, parameters.particle_stage);
-    timings.leave_subsection();
+    std::unique_ptr<Part> part;
+    const Mesh            mesh = [&]() {
+      TimerOutput::Scope scope(timings, Timing::set_up);
+      return make_mesh(parameters.scene, communicator);
+    }();
+    const auto make_part = [&](const std::vector<unsigned int> &cell_weights) {
+      TimerOutput::Scope scope(timings, Timing::set_up);
+      return std::make_unique<Part>(
+        parameters, mesh, cell_weights, communicator, log, timings);
+    };
+    part = make_part({});
 
     std::optional<Checkpoint> checkpoint;
     if (command_line.is_restart)
       checkpoint =
         read_checkpoint(parameters.output.directory,
-                        checkpoint_settings(scene,
+                        checkpoint_settings(part->scene,
                                             parameters.material,
                                             parameters.walls,
                                             parameters.particle_stage));
@@ -103,28 +137,34 @@ namespace Sandglass
                              command_line.is_restart,
                              communicator,
                              log);
-    Observers observers(parameters.output,
-                        scene,
-                        parameters.material,
-                        parameters.walls,
-                        parameters.particle_stage.end_time,
-                        log,
-                        timings);
     try
       {
         if (checkpoint)
-          observers.resume(*stage, *checkpoint);
+          part->observers.resume(*part->stage, *checkpoint);
         else
           {
-            const auto wall_forces = rest(parameters, *stage, log, timings);
-            observers.start(*stage, wall_forces ? &*wall_forces : nullptr);
+            const auto wall_forces =
+              rest(parameters, *part->stage, log, timings);
+            part->observers.start(*part->stage,
+                                  wall_forces ? &*wall_forces : nullptr);
           }
-        flow(*stage, observers, timings);
-        observers.finish(*stage);
+        while (!part->stage->is_finished())
+          {
+            flow(*part, timings);
+            if (part->stage->is_finished())
+              break;
+            log.stream() << "t = " << part->stage->clock.time
+                         << " s: ranks share the cells out anew" << std::endl;
+            auto next = make_part(LoadBalance::cell_weights(*part->stage));
+            hand_over(*part->stage, *next->stage);
+            next->observers.go_on_from(part->observers, *next->stage);
+            part = std::move(next);
+          }
+        part->observers.finish(*part->stage);
       }
     catch (const RunError &error)
       {
-        observers.finish_after_failure(error.what());
+        part->observers.finish_after_failure(error.what());
         throw;
       }
   }

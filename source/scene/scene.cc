@@ -11,11 +11,12 @@
 
 namespace Sandglass
 {
-  Scene::Scene(const Mesh           &mesh,
-               const Formulation     formulation,
-               const unsigned int    particles_per_cell,
-               const Tensor<1, dim> &gravity,
-               const MPI_Comm        communicator)
+  Scene::Scene(const Mesh                      &mesh,
+               const Formulation                formulation,
+               const unsigned int               particles_per_cell,
+               const Tensor<1, dim>            &gravity,
+               const MPI_Comm                   communicator,
+               const std::vector<unsigned int> &cell_weights)
     : mesh(mesh)
     , formulation(formulation)
     , particles_per_cell(particles_per_cell)
@@ -31,7 +32,15 @@ namespace Sandglass
     , mapping(reference_cell.get_default_linear_mapping<dim>())
     , dof_handler(triangulation)
   {
+    const auto weight_of = [&](const auto &cell, auto) -> unsigned int {
+      const unsigned int index = cell->active_cell_index();
+      if (!cell_weights.empty())
+        return cell_weights[index];
+      return mesh.cells[index].is_filled ? 20 * particles_per_cell : 1;
+    };
+    const auto connection = triangulation.signals.weight.connect(weight_of);
     triangulate(mesh, triangulation);
+    connection.disconnect();
 
     if (mesh.cell_type == CellType::triangle)
       finite_element = std::make_unique<FE_SimplexP<dim>>(1);

@@ -106,6 +106,11 @@ namespace Sandglass
   void
   restore(const Checkpoint &checkpoint, ParticleStage &stage);
 
+  /// Carry a stage's state over to one with another partition of the same mesh,
+  /// as a checkpoint would. Collective.
+  void
+  hand_over(ParticleStage &from, ParticleStage &to);
+
   /// The checkpoint's file in an output directory.
   std::string
   checkpoint_file(const std::string &directory);

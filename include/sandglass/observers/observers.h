@@ -48,6 +48,11 @@ namespace Sandglass
     void
     resume(ParticleStage &stage, const Checkpoint &checkpoint);
 
+    /// Instead of start(): go on behind what another partition's observers have
+    /// written. Collective.
+    void
+    go_on_from(const Observers &before, ParticleStage &stage);
+
     /// Write what is due. Ranks wait for each other only if something is.
     void
     after_step(ParticleStage &stage);
@@ -71,6 +76,12 @@ namespace Sandglass
     }
 
   private:
+    /// Go on behind what the archived observers have written. Collective.
+    void
+    go_on_from(const std::string &archived, ParticleStage &stage);
+    /// All that another object needs to go on.
+    std::string
+    archived() const;
     /// Open all tables and time series. Collective.
     void
     open_files();

@@ -35,12 +35,15 @@ namespace Sandglass
     /**
      * @param mesh     the same on each rank.
      * @param gravity  in m/s^2.
+     * @param cell_weights  what each cell costs, for ranks to have equal
+     *                 shares; if there are none, by the mesh's filled cells.
      */
-    Scene(const Mesh           &mesh,
-          const Formulation     formulation,
-          const unsigned int    particles_per_cell,
-          const Tensor<1, dim> &gravity,
-          const MPI_Comm        communicator);
+    Scene(const Mesh                      &mesh,
+          const Formulation                formulation,
+          const unsigned int               particles_per_cell,
+          const Tensor<1, dim>            &gravity,
+          const MPI_Comm                   communicator,
+          const std::vector<unsigned int> &cell_weights = {});
 
     const Mesh           mesh;
     const Formulation    formulation;
