@@ -8,6 +8,7 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -54,9 +55,7 @@ namespace Sandglass
       observe_history(stage);
       summary.n_particles  = summary.totals.n_particles;
       summary.initial_mass = summary.totals.mass();
-      observe_fields(stage);
-      if (static_wall_forces != nullptr)
-        observe_walls(stage.clock, *static_wall_forces);
+      observe_fields(stage, static_wall_forces);
     }
     write_summary("running");
     progress.start(stage.clock.time);
@@ -74,8 +73,9 @@ namespace Sandglass
 
 
   void
-  Observers::go_on_from(const Observers &before, ParticleStage &stage)
+  Observers::go_on_from(Observers &before, ParticleStage &stage)
   {
+    before.finish_writing();
     go_on_from(before.archived(), stage);
   }
 
@@ -131,8 +131,8 @@ namespace Sandglass
         observe_history(stage);
       if (fields_are_due)
         {
-          observe_fields(stage);
-          observe_walls(stage.clock, stage.contact.take_mean_forces());
+          const auto forces = stage.contact.take_mean_forces();
+          observe_fields(stage, &forces);
         }
       if (checkpoint_is_due)
         observe_checkpoint(stage);
@@ -152,11 +152,12 @@ namespace Sandglass
         observe_history(stage);
       if (last_field_step != stage.clock.step)
         {
-          observe_fields(stage);
-          observe_walls(stage.clock, stage.contact.take_mean_forces());
+          const auto forces = stage.contact.take_mean_forces();
+          observe_fields(stage, &forces);
         }
       if (parameters.checkpoint_interval > 0.)
         observe_checkpoint(stage);
+      finish_writing();
     }
     write_summary("finished");
     timings.print_summary();
@@ -216,36 +217,41 @@ namespace Sandglass
 
 
   void
-  Observers::observe_fields(ParticleStage &stage)
+  Observers::observe_fields(ParticleStage                &stage,
+                            const std::vector<WallForce> *wall_forces)
   {
     field_times.pass(stage.clock.time);
     last_field_step = stage.clock.step;
 
-    const double time = stage.clock.time;
+    // Collecting is for all ranks together; writing is each rank's own, and the
+    // run goes on meanwhile.
+    std::vector<std::pair<FieldSeries *, VtuPiece>> pieces;
     if (parameters.writes_particles)
-      {
-        const VtuPiece piece = particle_fields(stage);
-        do_and_share_errors(communicator,
-                            [&]() { particles.write(time, piece); });
-      }
+      pieces.emplace_back(&particles, particle_fields(stage));
     if (parameters.writes_grid)
-      {
-        const VtuPiece piece = grid_fields(stage);
-        do_and_share_errors(communicator, [&]() { grid.write(time, piece); });
-      }
+      pieces.emplace_back(&grid, grid_fields(stage));
+    std::optional<std::vector<WallTraction>> tractions;
+    finish_writing();
+    if (parameters.writes_walls && wall_forces != nullptr)
+      tractions = wall_tractions.collect(*wall_forces);
+
+    writing.start([this,
+                   time      = stage.clock.time,
+                   pieces    = std::move(pieces),
+                   tractions = std::move(tractions)]() {
+      for (const auto &[series, piece] : pieces)
+        series->write(time, piece);
+      if (tractions)
+        wall_tractions.write(time, *tractions);
+    });
   }
 
 
 
   void
-  Observers::observe_walls(const Clock                  &clock,
-                           const std::vector<WallForce> &forces)
+  Observers::finish_writing()
   {
-    if (!parameters.writes_walls)
-      return;
-    const auto tractions = wall_tractions.collect(forces);
-    do_and_share_errors(communicator,
-                        [&]() { wall_tractions.write(clock.time, tractions); });
+    do_and_share_errors(communicator, [this]() { writing.finish(); });
   }
 
 
@@ -254,6 +260,7 @@ namespace Sandglass
   Observers::observe_checkpoint(ParticleStage &stage)
   {
     checkpoint_times.pass(stage.clock.time);
+    finish_writing();
     Checkpoint checkpoint = take_checkpoint(stage);
     do_and_share_errors(communicator, [&]() {
       if (!is_writer)

@@ -1,6 +1,7 @@
 #ifndef sandglass_observers_observers_h
 #define sandglass_observers_observers_h
 
+#include <sandglass/observers/background_task.h>
 #include <sandglass/observers/checkpoint.h>
 #include <sandglass/observers/history.h>
 #include <sandglass/observers/progress.h>
@@ -51,7 +52,7 @@ namespace Sandglass
     /// Instead of start(): go on behind what another partition's observers have
     /// written. Collective.
     void
-    go_on_from(const Observers &before, ParticleStage &stage);
+    go_on_from(Observers &before, ParticleStage &stage);
 
     /// Write what is due. Ranks wait for each other only if something is.
     void
@@ -79,9 +80,12 @@ namespace Sandglass
     /// Go on behind what the archived observers have written. Collective.
     void
     go_on_from(const std::string &archived, ParticleStage &stage);
-    /// All that another object needs to go on.
+    /// All that another object needs to go on. After finish_writing().
     std::string
     archived() const;
+    /// Wait for the files that are being written. Collective.
+    void
+    finish_writing();
     /// Open all tables and time series. Collective.
     void
     open_files();
@@ -90,10 +94,10 @@ namespace Sandglass
     update_summary(const Clock &clock, const ParticleTotals &totals);
     void
     observe_history(ParticleStage &stage);
+    /// Write fields, and the walls' tractions unless there are none.
     void
-    observe_fields(ParticleStage &stage);
-    void
-    observe_walls(const Clock &clock, const std::vector<WallForce> &forces);
+    observe_fields(ParticleStage                &stage,
+                   const std::vector<WallForce> *wall_forces);
     void
     observe_checkpoint(ParticleStage &stage);
     void
@@ -121,6 +125,9 @@ namespace Sandglass
     History       history;
     FieldSeries   particles, grid;
     WallTractions wall_tractions;
+
+    /// Of particles, grid and wall_tractions, and so the first to go.
+    BackgroundTask writing;
   };
 } // namespace Sandglass
 
