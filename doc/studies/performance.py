@@ -1,6 +1,7 @@
 """How fast the particle stage is beside a plain loop and the machine's limits,
 what else a run costs, and a model of what MPI will cost."""
 import json
+import os
 import re
 import statistics
 import subprocess
@@ -54,8 +55,43 @@ def counted_run():
     return study_run(NAME, "counted", SCENE, (
         ("Static stage/Enabled", "false"),
         ("Walls/Outlet lip", "floor"),
+        ("Particle stage/Volumetric strain", "element"),
+        ("Particle stage/Force integration", "particles"),
         ("Particle stage/Time step", 2.5e-4),
         ("Particle stage/End time", 0.025)))
+
+
+def rank_run(n_ranks, refinement, pair, *settings):
+    return n_ranks, study_run(
+        NAME, f"ranks-{n_ranks}-{refinement}-{pair}", SCENE, (
+            ("Scene/Element size", ELEMENT_SIZE / refinement), *settings))
+
+
+def short_pairs():
+    """The first steps of 325 thousand particles on one and on two ranks."""
+    return [[rank_run(n_ranks, 4, pair, ("Static stage/Enabled", "false"),
+                      ("Particle stage/End time", 0.05))
+             for n_ranks in (1, 2)]
+            for pair in range(5)]
+
+
+def discharge_pair():
+    """All of the discharge of 81 thousand particles."""
+    return [rank_run(n_ranks, 2, "discharge") for n_ranks in (1, 2)]
+
+
+def make_on_ranks(n_ranks, run):
+    settings = [word for setting in run.settings + WITHOUT_OUTPUT
+                for word in ("-s", setting)]
+    environment = dict(os.environ, OMP_NUM_THREADS="1",
+                       OMPI_ALLOW_RUN_AS_ROOT="1",
+                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                       OMPI_MCA_hwloc_base_binding_policy="none")
+    subprocess.run(
+        ["mpirun", "-n", str(n_ranks),
+         str(ROOT / "build" / "release" / "sandglass"), str(run.prm),
+         "--quiet", "-o", str(run.directory), *settings],
+        check=True, capture_output=True, env=environment)
 
 
 def count_instructions():
@@ -78,6 +114,9 @@ def make_runs():
                 *(start_run(refinement) for refinement in REFINEMENTS)]:
         make(run)
     count_instructions()
+    for pair in [*short_pairs(), discharge_pair()]:
+        for n_ranks, run in pair:
+            make_on_ranks(n_ranks, run)
 
 
 def benchmarks():
@@ -97,6 +136,8 @@ def results():
                      "ns_per_particle_step": plain["ns_per_particle_step"],
                      "plain_over_stage": plain["plain_over_stage"],
                      "time_over_mesh_3": 1,
+                     "defaults_over_paper": measured[
+                         f"defaults_beside_paper/{kind}"]["time_over_paper"],
                      "bytes": plain["bytes_per_particle_step"],
                      "filled_lanes": plain["filled_lanes"]})
         for refinement in REFINEMENTS[1:]:
@@ -106,6 +147,7 @@ def results():
                          "ns_per_particle_step": fine["ns_per_particle_step"],
                          "plain_over_stage": None,
                          "time_over_mesh_3": fine["time_over_mesh_3"],
+                         "defaults_over_paper": None,
                          "bytes": fine["bytes_per_particle_step"],
                          "filled_lanes": fine["filled_lanes"]})
     return rows
@@ -120,10 +162,11 @@ def loop(rows):
                       number(own[0]["plain_over_stage"], ".2f"),
                       *(number(row["time_over_mesh_3"], ".2f")
                         for row in own[1:]),
+                      number(own[0]["defaults_over_paper"], ".2f"),
                       f"{100 * own[0]['filled_lanes']:.0f} %"])
     sizes = [f"elements of 1/{refinement}" for refinement in REFINEMENTS[1:]]
     return markdown(["cells", "ns on mesh 3", "plain loop over stage",
-                     *sizes, "lanes filled"], lines)
+                     *sizes, "defaults over paper's", "lanes filled"], lines)
 
 
 def instructions():
@@ -189,6 +232,23 @@ def whole_run(_):
                             ("output", "output_seconds"))])
 
 
+def speed_up(pair):
+    """Of the loop, by the second run of a pair over the first."""
+    seconds = [run_output.read_summary(run.directory)["loop_seconds"]
+               for _, run in pair]
+    return seconds[0] / seconds[1]
+
+
+def two_ranks(_):
+    factors = sorted(speed_up(pair) for pair in short_pairs())
+    return (f"{statistics.median(factors):.2f} (of {len(factors)} pairs, "
+            f"{factors[0]:.2f} to {factors[-1]:.2f})")
+
+
+def two_ranks_discharge(_):
+    return f"{speed_up(discharge_pair()):.2f}"
+
+
 def set_up(_):
     lines = []
     for refinement in REFINEMENTS:
@@ -211,7 +271,8 @@ def scaling(rows):
 def parts(rows):
     return {part.__name__.replace("_", "-"): part(rows)
             for part in (loop, limits, particle_memory, output_memory,
-                          element_memory, whole_run, set_up, scaling)}
+                          element_memory, whole_run, two_ranks,
+                          two_ranks_discharge, set_up, scaling)}
 
 
 def draw(_):

@@ -188,8 +188,9 @@ namespace Sandglass
           const double radius =
             shape.to_real(Point<dim>(point[0], point[1]))[0];
           result.values_over_radius = Shape::shape_values(point);
+          const double per_radius   = 1. / radius;
           for (double &value : result.values_over_radius)
-            value /= radius;
+            value *= per_radius;
         }
       return result;
     }

@@ -117,8 +117,8 @@ namespace Sandglass
     Pair<Number>
     mean_point() const
     {
-      return {{values[moment] / values[stiff_volume],
-               values[moment + 1] / values[stiff_volume]}};
+      const Number per_volume = Number(1.) / values[stiff_volume];
+      return {{values[moment] * per_volume, values[moment + 1] * per_volume}};
     }
 
     /// Share of the internal force R (eq. 9) in N at each of the cell's nodes,
