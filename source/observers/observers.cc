@@ -52,7 +52,7 @@ namespace Sandglass
     {
       TimerOutput::Scope scope(timings, Timing::output);
       open_files();
-      observe_history(stage);
+      observe_history(stage, true);
       summary.n_particles  = summary.totals.n_particles;
       summary.initial_mass = summary.totals.mass();
       observe_fields(stage, static_wall_forces);
@@ -128,7 +128,7 @@ namespace Sandglass
     {
       TimerOutput::Scope scope(timings, Timing::output);
       if (history_is_due)
-        observe_history(stage);
+        observe_history(stage, fields_are_due);
       if (fields_are_due)
         {
           const auto forces = stage.contact.take_mean_forces();
@@ -149,7 +149,7 @@ namespace Sandglass
     {
       TimerOutput::Scope scope(timings, Timing::output);
       if (last_history_step != stage.clock.step)
-        observe_history(stage);
+        observe_history(stage, true);
       if (last_field_step != stage.clock.step)
         {
           const auto forces = stage.contact.take_mean_forces();
@@ -200,14 +200,15 @@ namespace Sandglass
 
 
   void
-  Observers::observe_history(ParticleStage &stage)
+  Observers::observe_history(ParticleStage &stage, const bool is_exact)
   {
     history_times.pass(stage.clock.time);
     last_history_step = stage.clock.step;
 
     const ParticleTotals totals(stage, material.elasticity());
     const FlowPattern    pattern(stage, history.stagnant_displacement());
-    const double         critical_time_step = stage.recent_critical_time_step();
+    const double         critical_time_step =
+      is_exact ? stage.critical_time_step() : stage.recent_critical_time_step();
     do_and_share_errors(communicator, [&]() {
       history.observe(stage.clock, critical_time_step, totals, pattern);
     });

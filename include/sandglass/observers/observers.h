@@ -92,8 +92,9 @@ namespace Sandglass
     /// Collective.
     void
     update_summary(const Clock &clock, const ParticleTotals &totals);
+    /// @param is_exact  find the critical step for these very positions.
     void
-    observe_history(ParticleStage &stage);
+    observe_history(ParticleStage &stage, const bool is_exact);
     /// Write fields, and the walls' tractions unless there are none.
     void
     observe_fields(ParticleStage                &stage,
