@@ -186,7 +186,10 @@ namespace Sandglass
   Checkpoint
   take_checkpoint(ParticleStage &stage)
   {
-    Checkpoint checkpoint = take_without_particles(stage);
+    Checkpoint checkpoint       = take_without_particles(stage);
+    checkpoint.cell_weights     = stage.scene.cell_weights;
+    checkpoint.waiting          = stage.waiting.total;
+    checkpoint.waiting_at_start = stage.waiting.at_start;
     checkpoint.particles =
       gather(pack_particles(stage), stage.scene.communicator);
     return checkpoint;
@@ -198,6 +201,7 @@ namespace Sandglass
   restore(const Checkpoint &checkpoint, ParticleStage &stage)
   {
     restore_without_particles(checkpoint, stage);
+    stage.waiting = {checkpoint.waiting, checkpoint.waiting_at_start};
     restore_particles(checkpoint.particles, stage);
   }
 

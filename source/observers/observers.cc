@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/base/exceptions.h>
 #include <sandglass/observers/fields.h>
 #include <sandglass/observers/observers.h>
 #include <sandglass/observers/output_directory.h>
@@ -68,6 +69,7 @@ namespace Sandglass
   {
     restore(checkpoint, stage);
     go_on_from(checkpoint.observers, stage);
+    progress.start(stage.clock.time);
   }
 
 
@@ -77,6 +79,7 @@ namespace Sandglass
   {
     before.finish_writing();
     go_on_from(before.archived(), stage);
+    progress.go_on_from(before.progress);
   }
 
 
@@ -95,7 +98,6 @@ namespace Sandglass
       update_summary(stage.clock, ParticleTotals(stage, material.elasticity()));
     }
     write_summary("running");
-    progress.start(stage.clock.time);
   }
 
 
@@ -168,6 +170,14 @@ namespace Sandglass
   void
   Observers::finish_after_failure(const std::string &message)
   {
+    try
+      {
+        writing.finish();
+      }
+    catch (const RunError &error)
+      {
+        log.record_error(error.what());
+      }
     log.record_error(message);
     if (is_writer)
       write_summary_file("failed", message);

@@ -33,8 +33,16 @@ namespace Sandglass
   void
   Progress::start(const double time)
   {
-    start_time   = time;
-    start_moment = last_moment = WallClock::now();
+    state.start_time   = time;
+    state.start_moment = state.last_moment = WallClock::now();
+  }
+
+
+
+  void
+  Progress::go_on_from(const Progress &before)
+  {
+    state = before.state;
   }
 
 
@@ -44,13 +52,13 @@ namespace Sandglass
   {
     if (interval == 0. || !log.stream().is_active())
       return;
-    particle_steps += n_particles;
+    state.particle_steps += n_particles;
     const auto now = WallClock::now();
-    if (to_seconds(now - last_moment) < interval)
+    if (to_seconds(now - state.last_moment) < interval)
       return;
     show(clock, n_particles, now);
-    last_moment    = now;
-    particle_steps = 0;
+    state.last_moment    = now;
+    state.particle_steps = 0;
   }
 
 
@@ -62,12 +70,13 @@ namespace Sandglass
   {
     // As in the summary, without the time for output.
     const double loop_seconds = Timing::seconds(timings, Timing::particle_loop);
-    const double rate = particle_steps / (loop_seconds - last_loop_seconds);
-    last_loop_seconds = loop_seconds;
+    const double rate =
+      state.particle_steps / (loop_seconds - state.last_loop_seconds);
+    state.last_loop_seconds = loop_seconds;
 
-    const double remaining = to_seconds(now - start_moment) *
+    const double remaining = to_seconds(now - state.start_moment) *
                              (end_time - clock.time) /
-                             (clock.time - start_time);
+                             (clock.time - state.start_time);
     std::ostringstream line;
     line << "t = " << std::fixed << std::setprecision(4) << clock.time << " of "
          << std::defaultfloat << end_time << " s, step " << std::setprecision(3)

@@ -3,7 +3,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/particle_stage/relocation.h>
 
-#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -65,13 +64,12 @@ namespace Sandglass
                                   const Clock   &clock)
   {
     wall_impulses.clear();
-    auto &parcels = strays.parcels;
-    parcels.erase(std::remove_if(parcels.begin(),
-                                 parcels.end(),
-                                 [this](Parcel &stray) {
-                                   return !find_cell(stray);
-                                 }),
-                  parcels.end());
+    auto       &parcels = strays.parcels;
+    std::size_t n_found = 0;
+    for (Parcel &stray : parcels)
+      if (find_cell(stray))
+        parcels[n_found++] = stray;
+    parcels.resize(n_found);
     throw_if_faulty(clock);
     cloud.insert(parcels, arrivals);
     strays.clear();

@@ -2,34 +2,38 @@
 
 #include <sandglass/run/load_balance.h>
 
+#include <algorithm>
+
 namespace Sandglass
 {
-  LoadBalance::LoadBalance(const Scene &scene)
-    : n_ranks(Utilities::MPI::n_mpi_processes(scene.communicator))
-    // Triangulation, degrees of freedom and a new stage: about 8 us per cell,
-    // where a particle-step takes 30 ns.
-    , cost(300. * scene.triangulation.n_active_cells())
-  {}
-
-
-
   bool
-  LoadBalance::is_lost(const ParticleStage &stage)
+  is_balance_lost(ParticleStage &stage)
   {
     constexpr unsigned long interval = 100;
-    if (n_ranks == 1 || stage.clock.step % interval != 0)
+    // Triangulation, degrees of freedom and a new stage: about 8 us per cell,
+    // where a particle-step takes 30 ns.
+    constexpr double cost_of_cell = 300.;
+
+    const MPI_Comm communicator = stage.scene.communicator;
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
+        stage.clock.step % interval != 0)
       return false;
+
     const auto n_particles =
       Utilities::MPI::min_max_avg(stage.cloud.n_locally_owned_particles(),
-                                  stage.scene.communicator);
-    waiting += interval * (n_particles.max - n_particles.avg);
-    return waiting > cost;
+                                  communicator);
+    const double more    = n_particles.max - n_particles.avg;
+    Waiting     &waiting = stage.waiting;
+    if (waiting.at_start < 0.)
+      waiting.at_start = more;
+    waiting.total += interval * std::max(0., more - waiting.at_start);
+    return waiting.total > cost_of_cell * stage.scene.mesh.cells.size();
   }
 
 
 
   std::vector<unsigned int>
-  LoadBalance::cell_weights(const ParticleStage &stage)
+  cell_weights(const ParticleStage &stage)
   {
     constexpr unsigned int per_particle = 20, per_cell = 1;
 

@@ -40,13 +40,11 @@ namespace Sandglass
                     parameters.particle_stage.end_time,
                     log,
                     timings)
-        , balance(scene)
       {}
 
       const Scene                          scene;
       const std::unique_ptr<ParticleStage> stage;
       Observers                            observers;
-      LoadBalance                          balance;
     };
 
 
@@ -94,7 +92,7 @@ namespace Sandglass
           }
           part.observers.after_step(*part.stage);
         }
-      while (!part.stage->is_finished() && !part.balance.is_lost(*part.stage));
+      while (!part.stage->is_finished() && !is_balance_lost(*part.stage));
     }
   } // namespace
 
@@ -117,21 +115,24 @@ namespace Sandglass
       TimerOutput::Scope scope(timings, Timing::set_up);
       return make_mesh(parameters.scene, communicator);
     }();
-    const auto make_part = [&](const std::vector<unsigned int> &cell_weights) {
+    const auto make_part = [&](const std::vector<unsigned int> &weights) {
       TimerOutput::Scope scope(timings, Timing::set_up);
       return std::make_unique<Part>(
-        parameters, mesh, cell_weights, communicator, log, timings);
+        parameters, mesh, weights, communicator, log, timings);
     };
     part = make_part({});
 
     std::optional<Checkpoint> checkpoint;
     if (command_line.is_restart)
-      checkpoint =
-        read_checkpoint(parameters.output.directory,
-                        checkpoint_settings(part->scene,
-                                            parameters.material,
-                                            parameters.walls,
-                                            parameters.particle_stage));
+      {
+        checkpoint =
+          read_checkpoint(parameters.output.directory,
+                          checkpoint_settings(part->scene,
+                                              parameters.material,
+                                              parameters.walls,
+                                              parameters.particle_stage));
+        part = make_part(checkpoint->cell_weights);
+      }
 
     prepare_output_directory(parameters.output,
                              command_line.is_restart,
@@ -155,7 +156,7 @@ namespace Sandglass
               break;
             log.stream() << "t = " << part->stage->clock.time
                          << " s: ranks share the cells out anew" << std::endl;
-            auto next = make_part(LoadBalance::cell_weights(*part->stage));
+            auto next = make_part(cell_weights(*part->stage));
             hand_over(*part->stage, *next->stage);
             next->observers.go_on_from(part->observers, *next->stage);
             part = std::move(next);

@@ -7,10 +7,44 @@
 #include <sandglass/scene/triangulate.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace Sandglass
 {
+  namespace
+  {
+    /// Of cells before any flow.
+    std::vector<unsigned int>
+    weights_at_start(const Mesh &mesh, const unsigned int particles_per_cell)
+    {
+      constexpr unsigned int    per_particle = 20, of_empty_cell = 1;
+      std::vector<unsigned int> weights;
+      for (const auto &cell : mesh.cells)
+        weights.push_back(cell.is_filled ? per_particle * particles_per_cell :
+                                           of_empty_cell);
+      return weights;
+    }
+
+
+
+    /// METIS adds them up in 32 bits.
+    std::vector<unsigned int>
+    for_metis(std::vector<unsigned int> weights)
+    {
+      constexpr std::uint64_t largest_sum = 1u << 30;
+      const std::uint64_t     sum =
+        std::accumulate(weights.begin(), weights.end(), std::uint64_t(0));
+      const unsigned int divisor = 1 + sum / largest_sum;
+      for (unsigned int &weight : weights)
+        weight = std::max(1u, weight / divisor);
+      return weights;
+    }
+  } // namespace
+
+
+
   Scene::Scene(const Mesh                      &mesh,
                const Formulation                formulation,
                const unsigned int               particles_per_cell,
@@ -22,6 +56,9 @@ namespace Sandglass
     , particles_per_cell(particles_per_cell)
     , gravity(gravity)
     , communicator(communicator)
+    , cell_weights(for_metis(cell_weights.empty() ?
+                               weights_at_start(mesh, particles_per_cell) :
+                               cell_weights))
     , triangulation(communicator,
                     Triangulation<dim>::none,
                     true,
@@ -32,13 +69,10 @@ namespace Sandglass
     , mapping(reference_cell.get_default_linear_mapping<dim>())
     , dof_handler(triangulation)
   {
-    const auto weight_of = [&](const auto &cell, auto) -> unsigned int {
-      const unsigned int index = cell->active_cell_index();
-      if (!cell_weights.empty())
-        return cell_weights[index];
-      return mesh.cells[index].is_filled ? 20 * particles_per_cell : 1;
-    };
-    const auto connection = triangulation.signals.weight.connect(weight_of);
+    const auto connection = triangulation.signals.weight.connect(
+      [this](const auto &cell, auto) -> unsigned int {
+        return this->cell_weights[cell->active_cell_index()];
+      });
     triangulate(mesh, triangulation);
     connection.disconnect();
 

@@ -71,6 +71,10 @@ namespace Sandglass
     double last_critical_time_step = 0.; ///< in s
     double impulse_time            = 0.; ///< of the impulses, in s
 
+    /// The partition and how even it is, for the same order of sums.
+    std::vector<unsigned int> cell_weights;
+    double                    waiting = 0., waiting_at_start = -1.;
+
     std::vector<RankSums>  rank_sums;
     std::vector<Parcel>    particles; ///< in each cell's order
     std::vector<NodeState> nodes;
@@ -83,8 +87,9 @@ namespace Sandglass
     serialize(Archive &archive, const unsigned int)
     {
       archive &clock &automatic_time_step &last_local_eigenvalue
-        &last_critical_time_step &impulse_time &rank_sums &particles &nodes
-          &observers;
+        &last_critical_time_step           &impulse_time;
+      archive &cell_weights &waiting       &waiting_at_start;
+      archive &rank_sums &particles &nodes &observers;
     }
   };
 

@@ -17,8 +17,8 @@ namespace Sandglass
    * which prepare_output_directory() has made. What a scene or the parameters
    * don't ask for is neither computed nor mentioned.
    *
-   * All files are complete after each call, so that a run that stops keeps its
-   * results.
+   * Fields and walls are written beside the run; all other files are complete
+   * after each call, and those when the next ones are due, or the run stops.
    */
   class Observers
   {

@@ -29,6 +29,10 @@ namespace Sandglass
     void
     start(const double time);
 
+    /// Instead of start(): the loop goes on, reported by another object so far.
+    void
+    go_on_from(const Progress &before);
+
     /// @param n_particles  of all ranks, as far as known.
     void
     after_step(const Clock &clock, const unsigned long n_particles);
@@ -46,15 +50,20 @@ namespace Sandglass
     const double       interval;
     const double       end_time;
 
-    /// Simulated and wall time when the loop began.
-    double                start_time = 0.;
-    WallClock::time_point start_moment;
+    struct State
+    {
+      /// Simulated and wall time when the loop began.
+      double                start_time = 0.;
+      WallClock::time_point start_moment;
 
-    /// Of the last line.
-    WallClock::time_point last_moment;
-    double                last_loop_seconds = 0.;
+      /// Of the last line.
+      WallClock::time_point last_moment;
+      double                last_loop_seconds = 0.;
 
-    unsigned long particle_steps = 0; ///< since the last line
+      unsigned long particle_steps = 0; ///< since the last line
+    };
+
+    State state;
   };
 
   /// Hours, minutes and seconds as h:mm:ss.

@@ -31,7 +31,9 @@ namespace Sandglass
     using RateChange = typename CellIntegration<Setting>::RateChange;
 
     /**
-     * @param shape       has to live as long as this object, like the
+     * `shape`, `velocities` and `elasticity` have to live as long as this
+     * object.
+     *
      * @param velocities  of the cell's nodes, in m/s.
      * @param change      what all particles' rates differ by from v^L's.
      * @param averaged    if `is_averaged`.

@@ -18,6 +18,15 @@
 
 namespace Sandglass
 {
+  /// How ranks have waited for the one with most particles, since the cells
+  /// were shared out.
+  struct Waiting
+  {
+    double total = 0.; ///< in particle-steps, beyond that at the start
+    /// Particles more than the mean at the start; negative: not known yet.
+    double at_start = -1.;
+  };
+
   /**
    * The explicit particle-in-cell stage (paper, Section 4.4) as observers and
    * the run see it, whatever its compile-time choices.
@@ -87,6 +96,9 @@ namespace Sandglass
 
     /// The critical step found when the automatic one was, in s; 0: none yet.
     double last_critical_time_step = 0.;
+
+    /// For run/load_balance.h.
+    Waiting waiting;
 
     /// Plastic work since the start on this rank, in J.
     double plastic_dissipation = 0.;

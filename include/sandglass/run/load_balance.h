@@ -8,37 +8,21 @@
 namespace Sandglass
 {
   /**
-   * When ranks should share the cells out anew. As a silo empties, the ranks at
-   * its top run out of particles, and wait at each step for those that have
-   * more.
+   * After a step: whether ranks should share the cells out anew. As a silo
+   * empties, the ranks at its top run out of particles, and wait at each step
+   * for those that have more; it is time when they have waited for longer than
+   * a new partition takes, for more particles than the partition could help at
+   * its start. Collective; costs nothing in most steps.
    *
    * Decided by counts, not by times, so that runs repeat exactly.
    */
-  class LoadBalance
-  {
-  public:
-    /// For a new partition.
-    explicit LoadBalance(const Scene &scene);
+  bool
+  is_balance_lost(ParticleStage &stage);
 
-    /**
-     * After a step: whether the ranks have by now waited for longer than a new
-     * partition takes. Collective; costs nothing in most steps.
-     */
-    bool
-    is_lost(const ParticleStage &stage);
-
-    /// What each cell costs in a step now, for the next partition: all cells'
-    /// on each rank. Collective.
-    static std::vector<unsigned int>
-    cell_weights(const ParticleStage &stage);
-
-  private:
-    const unsigned int n_ranks;
-    /// What a new partition costs, in particle-steps.
-    const double cost;
-    /// What the other ranks have waited for the fullest, in particle-steps.
-    double waiting = 0.;
-  };
+  /// What each cell costs in a step now, for the next partition: all cells' on
+  /// each rank. Collective.
+  std::vector<unsigned int>
+  cell_weights(const ParticleStage &stage);
 } // namespace Sandglass
 
 #endif

@@ -51,6 +51,9 @@ namespace Sandglass
     const Tensor<1, dim> gravity; ///< in m/s^2
     const MPI_Comm       communicator;
 
+    /// What each cell costs: by this the ranks have shared them out.
+    const std::vector<unsigned int> cell_weights;
+
     parallel::shared::Triangulation<dim> triangulation;
     const ReferenceCell                  reference_cell;
     const Mapping<dim>                  &mapping;
