@@ -28,7 +28,7 @@ namespace Sandglass
         stage.fields.sums.update_ghosts();
       }
 
-      std::int64_t
+      std::int32_t
       number(const CellIterator &cell, const unsigned int vertex)
       {
         const unsigned int node =
@@ -55,10 +55,10 @@ namespace Sandglass
           velocity.push_back(component);
       }
 
-      static constexpr std::int64_t unknown = -1;
+      static constexpr std::int32_t unknown = -1;
 
       ParticleStage            &stage;
-      std::vector<std::int64_t> numbers;
+      std::vector<std::int32_t> numbers;
     };
   } // namespace
 

@@ -22,8 +22,7 @@ namespace Sandglass
 
   namespace
   {
-    using Floats   = std::vector<float>;
-    using Integers = std::vector<std::int64_t>;
+    using Floats = std::vector<float>;
 
     /// Fields of the particles while they are collected.
     struct ParticleFields
@@ -31,7 +30,9 @@ namespace Sandglass
       std::vector<double> points;
       Floats              velocity, stress, pressure, density, displacement;
       std::vector<double> mass;
-      Integers            layer, id;
+      // Ids need the 32 bits without a sign.
+      std::vector<std::int64_t> id;
+      std::vector<std::int32_t> layer;
 
       explicit ParticleFields(const unsigned int n)
       {
@@ -42,8 +43,8 @@ namespace Sandglass
         for (Floats *field : {&pressure, &density})
           field->reserve(n);
         mass.reserve(n);
-        for (Integers *field : {&layer, &id})
-          field->reserve(n);
+        layer.reserve(n);
+        id.reserve(n);
       }
 
       void

@@ -38,10 +38,10 @@ namespace Sandglass
     vtkSmartPointer<vtkDataArray>
     wrap(const std::vector<Number> &values, const int n_components)
     {
-      // Indices are of the type that vtkCellArray asks for, which on some
-      // systems has another name than int64_t.
-      using VtkNumber =
-        std::conditional_t<std::is_integral_v<Number>, vtkTypeInt64, Number>;
+      // VTK's 64 bits have another name than int64_t on some systems.
+      using VtkNumber = std::conditional_t<std::is_same_v<Number, std::int64_t>,
+                                           vtkTypeInt64,
+                                           Number>;
       static_assert(sizeof(VtkNumber) == sizeof(Number));
       auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<VtkNumber>>::New();
       array->SetNumberOfComponents(n_components);
@@ -95,8 +95,8 @@ namespace Sandglass
                    const std::string                  &element,
                    const std::vector<VtuPiece::Field> &fields)
     {
-      constexpr std::array<const char *, 3> types = {
-        {"Float32", "Float64", "Int64"}};
+      constexpr std::array<const char *, 4> types = {
+        {"Float32", "Float64", "Int64", "Int32"}};
 
       file << "    <" << element << ">\n";
       for (const auto &field : fields)
@@ -122,7 +122,7 @@ namespace Sandglass
     points->SetData(wrap(piece.points, 3));
 
     const std::size_t n_cells = piece.cells.size() / piece.points_per_cell;
-    std::vector<std::int64_t> offsets(n_cells + 1);
+    std::vector<std::int32_t> offsets(n_cells + 1);
     for (std::size_t i = 0; i < offsets.size(); ++i)
       offsets[i] = i * piece.points_per_cell;
     vtkNew<vtkCellArray> cells;

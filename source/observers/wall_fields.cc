@@ -59,7 +59,8 @@ namespace Sandglass
           on_material.push_back(component);
         if (i > 0 && traction.force.role == tractions[i - 1].force.role &&
             traction.place.line == tractions[i - 1].place.line)
-          piece.cells.insert(piece.cells.end(), {i - 1, i});
+          for (const auto end : {i - 1, i})
+            piece.cells.push_back(end);
       }
 
     for (const ScalarField &field : scalar_fields)

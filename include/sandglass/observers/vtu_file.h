@@ -21,7 +21,8 @@ namespace Sandglass
       unsigned int n_components;
       std::variant<std::vector<float>,
                    std::vector<double>,
-                   std::vector<std::int64_t>>
+                   std::vector<std::int64_t>,
+                   std::vector<std::int32_t>>
         values;
       /// One for each component, or none.
       std::vector<std::string> component_names;
@@ -39,7 +40,7 @@ namespace Sandglass
     unsigned int points_per_cell = 1;
 
     /// Indices of the cells' points, counterclockwise.
-    std::vector<std::int64_t> cells;
+    std::vector<std::int32_t> cells;
 
     std::vector<Field> point_fields;
     std::vector<Field> cell_fields;
