@@ -84,15 +84,16 @@ namespace Sandglass
     void
     flow(Part &part, TimerOutput &timings)
     {
-      do
+      while (!part.stage->is_finished())
         {
           {
             TimerOutput::Scope scope(timings, Timing::particle_loop);
             part.stage->step();
           }
           part.observers.after_step(*part.stage);
+          if (is_balance_lost(*part.stage))
+            return;
         }
-      while (!part.stage->is_finished() && !is_balance_lost(*part.stage));
     }
   } // namespace
 
@@ -107,11 +108,10 @@ namespace Sandglass
     log.stream() << banner(communicator) << std::flush;
 
     // Of this rank alone: otherwise deal.II adds a warning to each error.
-    TimerOutput           timings(log.stream(),
+    TimerOutput timings(log.stream(),
                         TimerOutput::never,
                         TimerOutput::wall_times);
-    std::unique_ptr<Part> part;
-    const Mesh            mesh = [&]() {
+    const Mesh  mesh = [&]() {
       TimerOutput::Scope scope(timings, Timing::set_up);
       return make_mesh(parameters.scene, communicator);
     }();
@@ -120,7 +120,7 @@ namespace Sandglass
       return std::make_unique<Part>(
         parameters, mesh, weights, communicator, log, timings);
     };
-    part = make_part({});
+    std::unique_ptr<Part> part = make_part({});
 
     std::optional<Checkpoint> checkpoint;
     if (command_line.is_restart)
@@ -149,11 +149,9 @@ namespace Sandglass
             part->observers.start(*part->stage,
                                   wall_forces ? &*wall_forces : nullptr);
           }
-        while (!part->stage->is_finished())
+        for (flow(*part, timings); !part->stage->is_finished();
+             flow(*part, timings))
           {
-            flow(*part, timings);
-            if (part->stage->is_finished())
-              break;
             log.stream() << "t = " << part->stage->clock.time
                          << " s: ranks share the cells out anew" << std::endl;
             auto next = make_part(cell_weights(*part->stage));

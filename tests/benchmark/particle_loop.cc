@@ -150,6 +150,29 @@ namespace
 
 
 
+  /// Measure a silo in pairs with another, and report it; `counter` is its time
+  /// over the other's.
+  template <typename Setting>
+  void
+  measure_beside(benchmark::State     &state,
+                 FlowingSilo<Setting> &silo,
+                 FlowingSilo<Setting> &other,
+                 const std::string    &counter)
+  {
+    std::vector<double> times, ratios;
+    for (auto _ : state)
+      {
+        times.push_back(measure(silo, steps_to_measure(silo)));
+        ratios.push_back(times.back() /
+                         measure(other, steps_to_measure(other)));
+        state.SetIterationTime(1e-9 * times.back());
+      }
+    report(state, silo, times);
+    state.counters[counter] = median(ratios);
+  }
+
+
+
   /// What the averaged strain and the force on cells, the defaults, cost.
   template <typename Setting>
   void
@@ -160,16 +183,7 @@ namespace
     paper.run(1200);
     silo.run(1200);
 
-    std::vector<double> times, ratios;
-    for (auto _ : state)
-      {
-        times.push_back(measure(silo, steps_to_measure(silo)));
-        ratios.push_back(times.back() /
-                         measure(paper, steps_to_measure(paper)));
-        state.SetIterationTime(1e-9 * times.back());
-      }
-    report(state, silo, times);
-    state.counters["time_over_paper"] = median(ratios);
+    measure_beside(state, silo, paper, "time_over_paper");
   }
 
 
@@ -183,16 +197,7 @@ namespace
     silo.take_velocity(mesh_3);
     silo.run(20);
 
-    std::vector<double> times, ratios;
-    for (auto _ : state)
-      {
-        times.push_back(measure(silo, steps_to_measure(silo)));
-        ratios.push_back(times.back() /
-                         measure(mesh_3, steps_to_measure(mesh_3)));
-        state.SetIterationTime(1e-9 * times.back());
-      }
-    report(state, silo, times);
-    state.counters["time_over_mesh_3"] = median(ratios);
+    measure_beside(state, silo, mesh_3, "time_over_mesh_3");
   }
 
 
