@@ -63,15 +63,8 @@ namespace Sandglass
 
       std::vector<Checkpoint::NodeState> nodes;
       for (unsigned int n = 0; n < dofs.size(); ++n)
-        {
-          const auto &memory = stage.contact.memories[n];
-          nodes.push_back({vertices.at(dofs[n]),
-                           {{memory[0].tangential_force,
-                             memory[0].is_sliding ? 1. : 0.,
-                             memory[1].tangential_force,
-                             memory[1].is_sliding ? 1. : 0.}},
-                           sums.impulses[n]});
-        }
+        nodes.push_back(
+          {vertices.at(dofs[n]), stage.contact.memories[n], sums.impulses[n]});
       return nodes;
     }
 
@@ -129,9 +122,7 @@ namespace Sandglass
       for (unsigned int n = 0; n < dofs.size(); ++n)
         {
           const auto &state         = *state_at.at(vertices.at(dofs[n]));
-          stage.contact.memories[n] = {
-            {{state.friction[0], state.friction[1] != 0.},
-             {state.friction[2], state.friction[3] != 0.}}};
+          stage.contact.memories[n] = state.friction;
           sums.impulses.push_back(state.impulses);
         }
       stage.contact.set_sums(sums);
@@ -186,10 +177,9 @@ namespace Sandglass
   Checkpoint
   take_checkpoint(ParticleStage &stage)
   {
-    Checkpoint checkpoint       = take_without_particles(stage);
-    checkpoint.cell_weights     = stage.scene.cell_weights;
-    checkpoint.waiting          = stage.waiting.total;
-    checkpoint.waiting_at_start = stage.waiting.at_start;
+    Checkpoint checkpoint   = take_without_particles(stage);
+    checkpoint.cell_weights = stage.scene.cell_weights;
+    checkpoint.waiting      = stage.waiting;
     checkpoint.particles =
       gather(pack_particles(stage), stage.scene.communicator);
     return checkpoint;
@@ -201,7 +191,7 @@ namespace Sandglass
   restore(const Checkpoint &checkpoint, ParticleStage &stage)
   {
     restore_without_particles(checkpoint, stage);
-    stage.waiting = {checkpoint.waiting, checkpoint.waiting_at_start};
+    stage.waiting = checkpoint.waiting;
     restore_particles(checkpoint.particles, stage);
   }
 

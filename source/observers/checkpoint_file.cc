@@ -15,7 +15,7 @@ namespace Sandglass
   namespace
   {
     /// To be raised whenever what serialize() writes changes.
-    const Checkpoint::Setting format = {"", "checkpoint format", "4"};
+    const Checkpoint::Setting format = {"", "checkpoint format", "5"};
 
 
 

@@ -177,11 +177,10 @@ namespace Sandglass
           {
             const NodeSupport &support = node.boundary.supports[s];
             if (node.is_held_by_one(s) && support.role != BoundaryRole::axis)
-              friction.stretch(memories[n][s],
-                               difference * wall_tangent(support.normal),
-                               node.mass,
-                               support.tributary_area,
-                               time_step);
+              CoulombFriction::stretch(memories[n][s],
+                                       difference *
+                                         wall_tangent(support.normal),
+                                       time_step);
           }
       }
   }

@@ -80,12 +80,31 @@ TEST(Friction, APenaltyAboveItsLimitActsLikeALowerOne)
                                    FrictionUpdate::return_mapping);
     FrictionMemory        memory{0.7, false};
     force(friction, memory, 0.1, 0.2);
-    friction.stretch(memory, 0.3, mass, area, time_step);
+    CoulombFriction::stretch(memory, 0.3, time_step);
     return memory.tangential_force;
   };
   EXPECT_DOUBLE_EQ(result(1e3, 1e-3), result(400., 0.));
   EXPECT_EQ(result(1e3, 3e-3), result(1e3, 0.));
   EXPECT_GT(std::abs(result(1e3, 0.) - result(400., 0.)), 1e-3);
+}
+
+// The limit takes the stiffness to 10 mass N / (kg m), so a node that loses
+// three quarters of its mass keeps half of its force.
+TEST(Friction, ALimitedSpringKeepsItsEnergyWhenItsNodeLosesMass)
+{
+  const CoulombFriction limited(0.3, 1e6, 1e-3, FrictionUpdate::return_mapping);
+  FrictionMemory        memory{2., false};
+  const auto            rest = [&](const double node_mass) {
+    return limited.tangential_force(
+      memory, normal_force, 0., 0., node_mass, area, time_step);
+  };
+  const double before = rest(mass), stiffness_before = memory.stiffness,
+               after = rest(mass / 4.);
+  EXPECT_DOUBLE_EQ(memory.stiffness, stiffness_before / 4.);
+  EXPECT_NEAR(after * after / memory.stiffness,
+              before * before / stiffness_before,
+              2e-3 * before * before / stiffness_before);
+  EXPECT_NEAR(after, before / 2., 1e-3 * before);
 }
 
 TEST(Friction, VanishesWithoutNormalForce)

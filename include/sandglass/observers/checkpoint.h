@@ -51,9 +51,8 @@ namespace Sandglass
     struct NodeState
     {
       /// Vertex of the triangulation, the same on any number of ranks.
-      unsigned int vertex;
-      /// Tangential force in N, and 1 if it slides, of each support.
-      std::array<double, 4> friction;
+      unsigned int                  vertex;
+      std::array<FrictionMemory, 2> friction;
       /// See Contact::Sums.
       std::array<double, 4> impulses;
 
@@ -73,7 +72,7 @@ namespace Sandglass
 
     /// The partition and how even it is, for the same order of sums.
     std::vector<unsigned int> cell_weights;
-    double                    waiting = 0., waiting_at_start = -1.;
+    Waiting                   waiting;
 
     std::vector<RankSums>  rank_sums;
     std::vector<Parcel>    particles; ///< in each cell's order
@@ -88,7 +87,7 @@ namespace Sandglass
     {
       archive &clock &automatic_time_step &last_local_eigenvalue
         &last_critical_time_step           &impulse_time;
-      archive &cell_weights &waiting       &waiting_at_start;
+      archive &cell_weights                &waiting;
       archive &rank_sums &particles &nodes &observers;
     }
   };

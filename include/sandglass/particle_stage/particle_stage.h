@@ -25,6 +25,13 @@ namespace Sandglass
     double total = 0.; ///< in particle-steps, beyond that at the start
     /// Particles more than the mean at the start; negative: not known yet.
     double at_start = -1.;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &total &at_start;
+    }
   };
 
   /**

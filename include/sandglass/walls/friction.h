@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Sandglass
 {
@@ -11,6 +12,15 @@ namespace Sandglass
   {
     double tangential_force = 0.; ///< in N, on the material
     bool   is_sliding       = false;
+    /// Of the spring that holds it in the last step, in N/m; 0: none yet.
+    double stiffness = 0.;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &tangential_force &is_sliding &stiffness;
+    }
   };
 
   /// How the friction of a sliding node goes on.
@@ -79,7 +89,8 @@ namespace Sandglass
     {
       const double limit = coefficient * normal_force;
 
-      double start_force = memory.tangential_force;
+      double start_force =
+        force_at_new_stiffness(memory, mass, area, time_step);
       if (update == FrictionUpdate::velocity_sign && memory.is_sliding &&
           velocity != 0.)
         {
@@ -93,7 +104,7 @@ namespace Sandglass
           start_force = force;
         }
 
-      const double stretching  = force_per_velocity(mass, area, time_step);
+      const double stretching  = memory.stiffness * time_step;
       const double trial_force = (start_force - stretching * free_velocity) /
                                  (1. + stretching * time_step / mass);
       memory.is_sliding       = std::abs(trial_force) > limit;
@@ -106,40 +117,43 @@ namespace Sandglass
      * that tangential_force() has not known of.
      *
      * @param velocity   beyond that at the step's end, tangential, in m/s.
-     * @param mass       of the node, in kg.
-     * @param area       of wall that belongs to the node, in m^2.
      * @param time_step  in s.
      */
-    void
+    static void
     stretch(FrictionMemory &memory,
             const double    velocity,
-            const double    mass,
-            const double    area,
-            const double    time_step) const
+            const double    time_step)
     {
       if (!memory.is_sliding)
-        memory.tangential_force -=
-          force_per_velocity(mass, area, time_step) * velocity;
+        memory.tangential_force -= memory.stiffness * time_step * velocity;
     }
 
   private:
     /**
-     * What a slip velocity adds to the force of a sticking node in one step, in
-     * N s/m.
+     * Give the spring the stiffness of this step, in N/m.
      *
      * The solution for force and velocity together takes the node's whole mass,
      * but v^L, with which the material moves, follows the node with a share of
      * it. A spring that the step hardly resolves would therefore swing.
+     *
+     * @return the force that has the spring's energy F^2 / (2 k) unchanged, in
+     *         N. With its force unchanged, a stretched spring whose node loses
+     *         mass would give back more than it has taken.
      */
     double
-    force_per_velocity(const double mass,
-                       const double area,
-                       const double time_step) const
+    force_at_new_stiffness(FrictionMemory &memory,
+                           const double    mass,
+                           const double    area,
+                           const double    time_step) const
     {
-      const double by_penalty = penalty * area * time_step;
-      return penalty_limit > 0. ?
-               std::min(by_penalty, penalty_limit * mass / time_step) :
-               by_penalty;
+      double stiffness = penalty * area;
+      if (penalty_limit > 0.)
+        stiffness =
+          std::min(stiffness, penalty_limit * mass / (time_step * time_step));
+      const double old_stiffness = std::exchange(memory.stiffness, stiffness);
+      return old_stiffness > 0. ?
+               memory.tangential_force * std::sqrt(stiffness / old_stiffness) :
+               memory.tangential_force;
     }
 
     double         coefficient;
