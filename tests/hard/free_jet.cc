@@ -13,7 +13,7 @@ using namespace Sandglass;
 
 namespace
 {
-  constexpr double g = 9.81, h = 0.05;
+  constexpr double g = 9.81, h = 0.05, outlet_half_width = 0.2; // m, s
 
   class FreeJet : public testing::TestWithParam<CellType>
   {
@@ -22,10 +22,11 @@ namespace
     start(const DensityUpdate density_update)
     {
       fixture.parameters.density_update = density_update;
+      fixture.material.young_modulus    = 1e7;
       SceneParameters silo;
       silo.half_width        = 0.4;
       silo.wall_height       = 0.8;
-      silo.outlet_half_width = 0.2;
+      silo.outlet_half_width = outlet_half_width;
       silo.fall_region_depth = 0.6;
       silo.element_size      = h;
       silo.cell_type         = GetParam();
@@ -33,16 +34,21 @@ namespace
       start_from_rest(fixture);
     }
 
+    /// Means over its mass and over steps.
     struct Jet
     {
-      double mass = 0., stressed_mass = 0., acceleration = 0.;
+      double mass          = 0.; ///< sum, in kg
+      double stressed_mass = 0.; ///< share of the mass
+      double stress        = 0.; ///< norm, over that of the weight of D
+      double acceleration  = 0.; ///< downwards, over g
     };
 
-    /// The jet more than three cells below the outlet, over the steps until
-    /// `end` in s: shares of mass and mean acceleration downwards over g.
+    /// The jet more than three cells below the outlet until `end` in s.
     Jet
     follow(const double end)
     {
+      const double scale =
+        fixture.material.density * g * 2. * outlet_half_width;
       Jet                                     jet;
       std::map<types::particle_index, double> before;
       while (fixture.stage->clock.time < end)
@@ -62,6 +68,7 @@ namespace
               &state[Property::stress]);
             jet.mass += mass;
             jet.stressed_mass += stress.norm() > 0. ? mass : 0.;
+            jet.stress += mass * stress.norm() / scale;
             jet.acceleration += mass *
                                 (old->second - state[Property::velocity + 1]) /
                                 fixture.stage->clock.time_step / g;
@@ -69,6 +76,7 @@ namespace
         }
       jet.acceleration /= jet.mass;
       jet.stressed_mass /= jet.mass;
+      jet.stress /= jet.mass;
       return jet;
     }
 
@@ -78,10 +86,13 @@ namespace
 
 
 
-// The jet converges, so that single particles meet and push each other apart;
-// all others are stress-free and fall freely. With the paper's density a
-// particle that has been separated carries stress again at once: 12 % of the
-// mass.
+// The jet converges, so that its particles meet and push each other apart. With
+// what they push is a matter of momentum: averaged over the jet it is 1.2 to
+// 2.0 % of rho g D from E = 1e5 to 1e8 Pa, and 1.8 to 2.1 % from h = 0.05 to
+// 0.0125 m. How much mass carries it at an instant depends on how long a
+// collision takes, with 1 / sqrt(E): 6.8, 2.5, 0.5 and 0.2 % in triangles. So
+// the material is stiff here. With the paper's density a particle that has been
+// separated carries stress again at once.
 TEST_P(FreeJet, FallsFreelyWithoutStress)
 {
   start(DensityUpdate::separation);
@@ -90,11 +101,47 @@ TEST_P(FreeJet, FallsFreelyWithoutStress)
   const Jet paper = follow(1.);
   for (const Jet &found : {jet, paper})
     std::cout << "acceleration / g " << found.acceleration
+              << ", stress / (rho g D) " << found.stress
               << ", stressed share of mass " << found.stressed_mass
               << std::endl;
   EXPECT_NEAR(jet.acceleration, 1., 0.015);
+  EXPECT_LT(jet.stress, 0.02);
+  EXPECT_GT(paper.stress, 0.025);
   EXPECT_LT(jet.stressed_mass, 0.02);
   EXPECT_GT(paper.stressed_mass, 0.08);
+}
+
+
+
+// A jet that does not converge: the content of a smooth tube, at rest on a
+// slide that is drawn. Once the wave of unloading has passed, it falls with g
+// and without stress.
+TEST_P(FreeJet, ContentOfASmoothTubeFallsFreely)
+{
+  Rectangle tube;
+  tube.cell_type = GetParam();
+  tube.left      = BoundaryRole::wall;
+  tube.bottom    = BoundaryRole::fall_bottom;
+  tube.n_x       = 6;
+  tube.n_y       = 36;
+  tube.lower     = Point<2>(0., -24. * h);
+  tube.upper     = Point<2>(6. * h, 12. * h);
+  tube.is_filled = [](const Point<2> &center) { return center[1] > 0.; };
+  Mesh mesh      = tube.mesh();
+  for (unsigned int i = 0, first = 24 * (tube.n_x + 1); i < tube.n_x; ++i)
+    mesh.edges.push_back({{{first + i, first + i + 1}}, BoundaryRole::outlet});
+
+  fixture.walls.friction_angle = 0.;
+  fixture.start(mesh);
+  start_from_rest(fixture);
+  while (fixture.stage->clock.time < 0.1)
+    fixture.stage->step();
+  const Jet content = follow(0.4);
+  std::cout << "acceleration / g " << content.acceleration
+            << ", stressed share of mass " << content.stressed_mass
+            << std::endl;
+  EXPECT_NEAR(content.acceleration, 1., 1e-9);
+  EXPECT_EQ(content.stressed_mass, 0.);
 }
 
 
