@@ -35,15 +35,11 @@ namespace Sandglass
   std::vector<unsigned int>
   cell_weights(const ParticleStage &stage)
   {
-    constexpr unsigned int per_particle = 20, per_cell = 1;
-
     const ParticleBlocks     &blocks = stage.cloud.blocks();
-    std::vector<unsigned int> weights(blocks.n_cells(), 0);
+    std::vector<unsigned int> n_particles(blocks.n_cells(), 0);
     blocks.for_each(
-      [&](const ParticleSlot &slot) { weights[slot.cell] += per_particle; });
-    Utilities::MPI::sum(weights, stage.scene.communicator, weights);
-    for (unsigned int &weight : weights)
-      weight += per_cell;
-    return weights;
+      [&](const ParticleSlot &slot) { ++n_particles[slot.cell]; });
+    Utilities::MPI::sum(n_particles, stage.scene.communicator, n_particles);
+    return cell_weights(n_particles);
   }
 } // namespace Sandglass

@@ -28,6 +28,7 @@ namespace Sandglass
                 parameters.scene.particles_per_cell,
                 parameters.scene.gravity,
                 communicator,
+                parameters.scene.partitioner,
                 cell_weights)
         , stage(make_particle_stage(scene,
                                     parameters.material,

@@ -150,6 +150,14 @@ namespace Sandglass
                         {{"open", true}, {"closed", false}},
                         "Whether material can leave; a closed outlet belongs "
                         "to the floor, and no fall region is meshed.");
+    add_selection<Partitioner>(
+      *this,
+      "Partitioner",
+      partitioner,
+      {{"METIS", Partitioner::metis}, {"p4est", Partitioner::p4est}},
+      "What shares the cells out between ranks: METIS by the graph of the "
+      "cells, p4est (Cell type = quadrilateral only) by their order along a "
+      "curve.");
     add_parameter("Gravity",
                   gravity,
                   "Acceleration of gravity, x and y. Units: m/s^2.");
@@ -160,6 +168,12 @@ namespace Sandglass
   void
   SceneParameters::check() const
   {
+    if (partitioner == Partitioner::p4est && cell_type == CellType::triangle)
+      throw InputError("Scene",
+                       "Partitioner",
+                       "p4est",
+                       "allowed is METIS with Cell type = triangle; p4est "
+                       "knows quadrilaterals only");
     if (shape == Shape::mesh_file)
       {
         if (mesh_file.empty())

@@ -45,6 +45,7 @@ namespace
                                                 particles_per_cell,
                                                 gravity,
                                                 MPI_COMM_WORLD,
+                                                Partitioner::metis,
                                                 cell_weights);
       auto next_stage =
         make_particle_stage(*next_scene, material, walls, parameters);

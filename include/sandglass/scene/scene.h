@@ -3,8 +3,6 @@
 
 #include <deal.II/base/partitioner.h>
 
-#include <deal.II/distributed/shared_tria.h>
-
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe.h>
@@ -12,7 +10,7 @@
 
 #include <deal.II/grid/reference_cell.h>
 
-#include <sandglass/scene/mesh.h>
+#include <sandglass/scene/partition.h>
 
 #include <memory>
 #include <vector>
@@ -23,9 +21,9 @@ namespace Sandglass
 
   /**
    * The grid that both stages work on: the whole computational mesh (filled
-   * part and fall region) as a triangulation that every rank holds and METIS
-   * partitions, with scalar linear elements on it. A node of the method is a
-   * degree of freedom of this DoFHandler.
+   * part and fall region) as a triangulation that every rank holds, with scalar
+   * linear elements on it. A node of the method is a degree of freedom of this
+   * DoFHandler.
    *
    * Cell i of the mesh is the triangulation's active cell with index i.
    */
@@ -35,15 +33,16 @@ namespace Sandglass
     /**
      * @param mesh     the same on each rank.
      * @param gravity  in m/s^2.
-     * @param cell_weights  what each cell costs, for ranks to have equal
-     *                 shares; if there are none, by the mesh's filled cells.
+     * @param weights  what each cell costs, for ranks to have equal shares; if
+     *                 there are none, by the mesh's filled cells.
      */
     Scene(const Mesh                      &mesh,
           const Formulation                formulation,
           const unsigned int               particles_per_cell,
           const Tensor<1, dim>            &gravity,
           const MPI_Comm                   communicator,
-          const std::vector<unsigned int> &cell_weights = {});
+          const Partitioner                partitioner = Partitioner::metis,
+          const std::vector<unsigned int> &weights     = {});
 
     const Mesh           mesh;
     const Formulation    formulation;
@@ -51,12 +50,17 @@ namespace Sandglass
     const Tensor<1, dim> gravity; ///< in m/s^2
     const MPI_Comm       communicator;
 
+    const Partitioner partitioner;
     /// What each cell costs: by this the ranks have shared them out.
     const std::vector<unsigned int> cell_weights;
 
-    parallel::shared::Triangulation<dim> triangulation;
-    const ReferenceCell                  reference_cell;
-    const Mapping<dim>                  &mapping;
+  private:
+    const std::unique_ptr<parallel::TriangulationBase<dim>> partitioned_mesh;
+
+  public:
+    parallel::TriangulationBase<dim> &triangulation;
+    const ReferenceCell               reference_cell;
+    const Mapping<dim>               &mapping;
 
     std::unique_ptr<FiniteElement<dim>> finite_element;
     DoFHandler<dim>                     dof_handler;
@@ -65,7 +69,7 @@ namespace Sandglass
     std::shared_ptr<const Utilities::MPI::Partitioner> nodes;
 
     /// Owner of each active cell, artificial cells included.
-    std::vector<types::subdomain_id> cell_owners;
+    const std::vector<types::subdomain_id> cell_owners;
 
     /// Lowest and highest y of the filled cells, in m.
     double fill_bottom, fill_top;

@@ -4,7 +4,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 #include <deal.II/base/tensor.h>
 
-#include <sandglass/base/setting.h>
+#include <sandglass/scene/partition.h>
 
 #include <string>
 
@@ -49,6 +49,7 @@ namespace Sandglass
     CellType      cell_type           = CellType::triangle;
     unsigned int  particles_per_cell  = 4;
     bool          outlet_is_open      = true;
+    Partitioner   partitioner         = Partitioner::metis;
 
     /// In m/s^2.
     dealii::Tensor<1, dim> gravity{{0., -9.81}};

@@ -1,0 +1,128 @@
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/distributed/tria.h>
+
+#include <sandglass/scene/partition.h>
+#include <sandglass/scene/triangulate.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+namespace Sandglass
+{
+  namespace
+  {
+    constexpr unsigned int weight_of_cell = 1, weight_of_particle = 20;
+
+
+
+    /// METIS adds them up in 32 bits.
+    std::vector<unsigned int>
+    for_metis(std::vector<unsigned int> weights)
+    {
+      constexpr std::uint64_t largest_sum = 1u << 30;
+      const std::uint64_t     sum =
+        std::accumulate(weights.begin(), weights.end(), std::uint64_t(0));
+      const unsigned int divisor = 1 + sum / largest_sum;
+      for (unsigned int &weight : weights)
+        weight = std::max(1u, weight / divisor);
+      return weights;
+    }
+
+
+
+    std::unique_ptr<parallel::TriangulationBase<dim>>
+    partition_by_metis(const Mesh                      &mesh,
+                       const std::vector<unsigned int> &cell_weights,
+                       const MPI_Comm                   communicator)
+    {
+      using Shared       = parallel::shared::Triangulation<dim>;
+      auto triangulation = std::make_unique<Shared>(communicator,
+                                                    Triangulation<dim>::none,
+                                                    true,
+                                                    Shared::partition_metis);
+
+      const auto weights    = for_metis(cell_weights);
+      const auto connection = triangulation->signals.weight.connect(
+        [&weights](const auto &cell, auto) {
+          return weights[cell->active_cell_index()];
+        });
+      triangulate(mesh, *triangulation);
+      connection.disconnect();
+      return triangulation;
+    }
+
+
+
+    /// Its coarse cells are the mesh's, which every rank holds.
+    std::unique_ptr<parallel::TriangulationBase<dim>>
+    partition_by_p4est(const Mesh                      &mesh,
+                       const std::vector<unsigned int> &weights,
+                       const MPI_Comm                   communicator)
+    {
+      auto triangulation =
+        std::make_unique<parallel::distributed::Triangulation<dim>>(
+          communicator);
+      triangulate(mesh, *triangulation);
+
+      const auto connection = triangulation->signals.weight.connect(
+        [&weights](const auto &cell, auto) {
+          return weights[cell->active_cell_index()];
+        });
+      triangulation->repartition();
+      connection.disconnect();
+      return triangulation;
+    }
+  } // namespace
+
+
+
+  std::vector<unsigned int>
+  cell_weights(const Mesh &mesh, const unsigned int particles_per_cell)
+  {
+    std::vector<unsigned int> n_particles;
+    for (const auto &cell : mesh.cells)
+      n_particles.push_back(cell.is_filled ? particles_per_cell : 0);
+    return cell_weights(n_particles);
+  }
+
+
+
+  std::vector<unsigned int>
+  cell_weights(const std::vector<unsigned int> &n_particles)
+  {
+    std::vector<unsigned int> weights;
+    for (const unsigned int n : n_particles)
+      weights.push_back(weight_of_cell + weight_of_particle * n);
+    return weights;
+  }
+
+
+
+  std::unique_ptr<parallel::TriangulationBase<dim>>
+  partition(const Mesh                      &mesh,
+            const std::vector<unsigned int> &weights,
+            const Partitioner                partitioner,
+            const MPI_Comm                   communicator)
+  {
+    return partitioner == Partitioner::metis ?
+             partition_by_metis(mesh, weights, communicator) :
+             partition_by_p4est(mesh, weights, communicator);
+  }
+
+
+
+  std::vector<types::subdomain_id>
+  find_cell_owners(const parallel::TriangulationBase<dim> &triangulation)
+  {
+    std::vector<types::subdomain_id> owners(triangulation.n_active_cells(), 0);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        owners[cell->active_cell_index()] =
+          triangulation.locally_owned_subdomain();
+    Utilities::MPI::max(owners, triangulation.get_communicator(), owners);
+    return owners;
+  }
+} // namespace Sandglass

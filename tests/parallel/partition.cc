@@ -1,0 +1,88 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/scene/make_mesh.h>
+#include <sandglass/scene/scene.h>
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace Sandglass;
+
+namespace
+{
+  Mesh
+  squares()
+  {
+    SceneParameters silo;
+    silo.cell_type    = CellType::quadrilateral;
+    silo.element_size = 0.05;
+    return make_mesh(silo, MPI_COMM_WORLD);
+  }
+
+  /// The largest of the ranks' shares of the weights over their mean.
+  double
+  imbalance(const Scene &scene)
+  {
+    double own = 0.;
+    for (const auto &cell : scene.triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        own += scene.cell_weights[cell->active_cell_index()];
+    const auto shares = Utilities::MPI::min_max_avg(own, MPI_COMM_WORLD);
+    return shares.max / shares.avg;
+  }
+
+  class Partition : public testing::TestWithParam<Partitioner>
+  {
+  protected:
+    Partition()
+      : scene(squares(),
+              Formulation::plane_strain,
+              4,
+              Tensor<1, dim>(),
+              MPI_COMM_WORLD,
+              GetParam())
+    {}
+
+    const Scene scene;
+  };
+} // namespace
+
+
+
+// Particles, not cells: a fall region of a third of the cells has none.
+TEST_P(Partition, SharesParticlesOutEvenly)
+{
+  EXPECT_LT(imbalance(scene), 1.1);
+}
+
+
+
+TEST_P(Partition, KeepsTheMeshsOrderOfCells)
+{
+  const auto &mesh = scene.mesh;
+  for (const auto &cell : scene.triangulation.active_cell_iterators())
+    {
+      Point<dim> center;
+      for (const unsigned int vertex :
+           mesh.cells[cell->active_cell_index()].vertices)
+        center += mesh.vertices[vertex] / 4.;
+      EXPECT_LT(center.distance(cell->center()), 1e-12);
+    }
+}
+
+
+
+TEST_P(Partition, TellsEachCellsOwnerOnAllRanks)
+{
+  ASSERT_EQ(scene.cell_owners.size(), scene.mesh.cells.size());
+  for (const auto &cell : scene.triangulation.active_cell_iterators())
+    EXPECT_EQ(scene.cell_owners[cell->active_cell_index()] ==
+                Utilities::MPI::this_mpi_process(MPI_COMM_WORLD),
+              cell->is_locally_owned());
+}
+
+INSTANTIATE_TEST_SUITE_P(Partitioners,
+                         Partition,
+                         testing::Values(Partitioner::metis,
+                                         Partitioner::p4est));

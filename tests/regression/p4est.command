@@ -1,0 +1,1 @@
+-s "Scene/Cell type=quadrilateral" -s "Scene/Partitioner=p4est" -s "Particle stage/Time step=1e-3" -s "Particle stage/End time=0.5"
