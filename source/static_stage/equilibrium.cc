@@ -15,19 +15,6 @@ namespace Sandglass
           matrix(i, j) = tensor[i][j];
       return matrix;
     }
-
-
-
-    template <typename CellVector>
-    CellVector
-    cell_values(const std::vector<types::global_dof_index> &dofs,
-                const FilledGrid::Vector                   &vector)
-    {
-      CellVector values(dofs.size());
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        values[i] = vector[dofs[i]];
-      return values;
-    }
   } // namespace
 
 
@@ -52,126 +39,131 @@ namespace Sandglass
                            const double         density,
                            const BodyForce     &body_force)
     : grid(grid)
-    , formulation(formulation)
     , material(material)
     , points(grid.triangulation.n_active_cells() * grid.quadrature.size())
     , gradient_operators(points.size())
     , volumes(points.size())
     , nodal_weight(grid.make_vector())
   {
-    start_step(grid.make_vector()); // undeformed
-    assemble_weight(density, body_force);
+    set_up(formulation, density, body_force);
   }
 
 
 
-  template <typename Work>
   void
-  Equilibrium::for_each_cell(const Work &work) const
+  Equilibrium::add_to(const FilledGrid::LocalCell            &local_cell,
+                      const Eigen::Ref<const Eigen::VectorXd> values,
+                      Vector                                 &vector) const
   {
-    std::vector<types::global_dof_index> dofs(
-      grid.finite_element.n_dofs_per_cell());
-    for (const auto &cell : grid.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          work(cell, dofs);
-        }
+    const unsigned int n_owned = grid.n_owned_dofs();
+    for (unsigned int i = 0; i < values.size(); ++i)
+      if (local_cell.dofs[i] < n_owned)
+        vector.local_element(local_cell.dofs[i]) += values[i];
   }
 
 
 
   void
-  Equilibrium::assemble_weight(const double     density,
-                               const BodyForce &body_force)
-  {
-    FEValues<dim> fe_values(grid.mapping,
-                            grid.finite_element,
-                            grid.quadrature,
-                            update_values | update_quadrature_points);
-    nodal_weight.zero_out_ghost_values();
-    for_each_cell([&](const auto &cell, const auto &dofs) {
-      fe_values.reinit(cell);
-      for (const unsigned int q : fe_values.quadrature_point_indices())
-        {
-          const double mass = density * volumes[grid.point_index(*cell, q)];
-          const Tensor<1, dim> acceleration =
-            body_force(fe_values.quadrature_point(q));
-          for (const unsigned int i : fe_values.dof_indices())
-            nodal_weight[dofs[i]] += mass * fe_values.shape_value(i, q) *
-                                     acceleration[grid.component(i)];
-        }
-    });
-    nodal_weight.compress(VectorOperation::add);
-    nodal_weight.update_ghost_values();
-  }
-
-
-
-  void
-  Equilibrium::start_step(const Vector &displacement)
+  Equilibrium::set_up(const Formulation formulation,
+                      const double      density,
+                      const BodyForce  &body_force)
   {
     FEValues<dim> fe_values(grid.mapping,
                             grid.finite_element,
                             grid.quadrature,
                             update_values | update_gradients |
                               update_quadrature_points | update_JxW_values);
-    for_each_cell([&](const auto &cell, const auto &dofs) {
-      fe_values.reinit(cell);
-      const auto u = cell_values<CellVector>(dofs, displacement);
-      for (const unsigned int q : fe_values.quadrature_point_indices())
-        start_step(fe_values, q, u, grid.point_index(*cell, q));
-    });
+    nodal_weight.zero_out_ghost_values();
+    for (const auto &local_cell : grid.local_cells)
+      {
+        fe_values.reinit(local_cell.cell);
+        Eigen::VectorXd cell_weight =
+          Eigen::VectorXd::Zero(fe_values.dofs_per_cell);
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          {
+            const unsigned int index = grid.point_index(*local_cell.cell, q);
+            set_up_point(fe_values, q, formulation, index);
+            const Tensor<1, dim> force =
+              density * volumes[index] *
+              body_force(fe_values.quadrature_point(q));
+            for (const unsigned int i : fe_values.dof_indices())
+              cell_weight[i] +=
+                fe_values.shape_value(i, q) * force[grid.component(i)];
+          }
+        add_to(local_cell, cell_weight, nodal_weight);
+      }
+    nodal_weight.update_ghost_values();
   }
 
 
 
   void
-  Equilibrium::start_step(const FEValues<dim> &fe_values,
-                          const unsigned int   q,
-                          const CellVector    &displacement,
-                          const unsigned int   index)
+  Equilibrium::set_up_point(const FEValues<dim> &fe_values,
+                            const unsigned int   q,
+                            const Formulation    formulation,
+                            const unsigned int   index)
   {
-    // Deformation since the unloaded state; x is the radius if axisymmetric.
-    Tensor<2, dim> F = unit_symmetric_tensor<dim>();
-    double         x = fe_values.quadrature_point(q)[0];
+    const bool   has_hoop_strain = formulation == Formulation::axisymmetric;
+    const double radius          = fe_values.quadrature_point(q)[0];
+    volumes[index] =
+      fe_values.JxW(q) * (has_hoop_strain ? 2. * numbers::PI * radius : 1.);
+
+    GradientOperator &B = gradient_operators[index];
+    B.setZero();
     for (const unsigned int i : fe_values.dof_indices())
       {
         const unsigned int c = grid.component(i);
-        F[c] += displacement[i] * fe_values.shape_grad(i, q);
-        if (c == 0)
-          x += displacement[i] * fe_values.shape_value(i, q);
-      }
-    const bool has_hoop_strain = formulation == Formulation::axisymmetric;
-    volumes[index]             = fe_values.JxW(q) * determinant(F) *
-                     (has_hoop_strain ? 2. * numbers::PI * x : 1.);
-
-    const Tensor<2, dim> F_inverse = invert(F);
-    GradientOperator    &B         = gradient_operators[index];
-    B.setZero(5, fe_values.dofs_per_cell);
-    for (const unsigned int i : fe_values.dof_indices())
-      {
-        const unsigned int   c        = grid.component(i);
-        const Tensor<1, dim> gradient = fe_values.shape_grad(i, q) * F_inverse;
         for (unsigned int d = 0; d < dim; ++d)
-          B(dim * c + d, i) = gradient[d];
+          B(dim * c + d, i) = fe_values.shape_grad(i, q)[d];
         if (c == 0 && has_hoop_strain)
-          B(GradientComponent::hoop, i) = fe_values.shape_value(i, q) / x;
+          B(GradientComponent::hoop, i) = fe_values.shape_value(i, q) / radius;
       }
+  }
 
-    MaterialPoint &point      = points[index];
+
+
+  void
+  Equilibrium::start_step()
+  {
+    for (const auto &local_cell : grid.local_cells)
+      for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
+        start_step(grid.point_index(*local_cell.cell, q));
+  }
+
+
+
+  void
+  Equilibrium::start_step(const unsigned int index)
+  {
+    MaterialPoint        &point    = points[index];
+    const Gradient5      &H        = point.gradient;
+    const Eigen::Matrix2d cofactor = IncrementalResponse::in_plane_cofactor(H);
+    const Eigen::Matrix2d F_inverse_transposed =
+      cofactor / cofactor.determinant();
+    volumes[index] *= IncrementalResponse::volume_ratio(H);
+
+    // gradients of the x component, then of the y component
+    GradientOperator &B = gradient_operators[index];
+    for (const int row : {GradientComponent::xx, GradientComponent::yx})
+      B.middleRows<dim>(row) =
+        (F_inverse_transposed * B.middleRows<dim>(row)).eval();
+    B.row(GradientComponent::hoop) /= 1. + H[GradientComponent::hoop];
+
+    point.gradient.setZero();
     point.stress_before       = point.stress;
     point.volume_ratio_before = point.volume_ratio;
   }
 
 
 
+  template <int n_dofs>
   void
-  Equilibrium::update_stress(const CellVector  &increment,
-                             const unsigned int index)
+  Equilibrium::update_stress(const Eigen::Matrix<double, n_dofs, 1> &increment,
+                             const unsigned int                      index)
   {
     MaterialPoint &point = points[index];
-    point.gradient       = gradient_operators[index] * increment;
+    point.gradient =
+      gradient_operators[index].template leftCols<n_dofs>() * increment;
     point.trial_stress = IncrementalResponse::trial_stress(material.elasticity,
                                                            point.stress_before,
                                                            point.gradient);
@@ -183,6 +175,34 @@ namespace Sandglass
 
 
 
+  template <int n_dofs>
+  void
+  Equilibrium::add_internal_forces(const Vector &increment, Vector &forces)
+  {
+    using CellVector = Eigen::Matrix<double, n_dofs, 1>;
+    for (const auto &local_cell : grid.local_cells)
+      {
+        CellVector du, cell_force = CellVector::Zero();
+        for (int i = 0; i < n_dofs; ++i)
+          du[i] = increment.local_element(local_cell.dofs[i]);
+        for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
+          {
+            const unsigned int index = grid.point_index(*local_cell.cell, q);
+            update_stress(du, index);
+            cell_force +=
+              volumes[index] *
+              (gradient_operators[index]
+                 .template leftCols<n_dofs>()
+                 .transpose() *
+               IncrementalResponse::piola_stress(points[index].stress,
+                                                 points[index].gradient));
+          }
+        add_to(local_cell, cell_force, forces);
+      }
+  }
+
+
+
   void
   Equilibrium::evaluate_forces(const Vector &increment,
                                const double  load_share,
@@ -190,79 +210,78 @@ namespace Sandglass
   {
     forces.zero_out_ghost_values();
     forces = 0.;
-    for_each_cell([&](const auto &cell, const auto &dofs) {
-      const auto du         = cell_values<CellVector>(dofs, increment);
-      CellVector cell_force = CellVector::Zero(dofs.size());
-      for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
-        {
-          const unsigned int index = grid.point_index(*cell, q);
-          update_stress(du, index);
-          cell_force +=
-            volumes[index] * gradient_operators[index].transpose() *
-            IncrementalResponse::piola_stress(points[index].stress,
-                                              points[index].gradient);
-        }
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        forces[dofs[i]] += cell_force[i];
-    });
-    forces.compress(VectorOperation::add);
+    if (grid.finite_element.n_dofs_per_cell() == 6)
+      add_internal_forces<6>(increment, forces);
+    else
+      add_internal_forces<8>(increment, forces);
     forces.add(-load_share, nodal_weight);
     forces.update_ghost_values();
   }
 
 
 
-  Equilibrium::CellMatrix
-  Equilibrium::cell_tangent(const CellIterator &cell,
-                            const WallContact  &contact,
-                            const double        elastic_share) const
+  template <int n_dofs>
+  Eigen::Matrix<double, n_dofs, n_dofs>
+  Equilibrium::cell_tangent(const CellAccessor<dim> &cell,
+                            const WallContact       &contact,
+                            const double             elastic_share) const
   {
-    const unsigned int n_dofs = grid.finite_element.n_dofs_per_cell();
-    CellMatrix         result = CellMatrix::Zero(n_dofs, n_dofs);
+    Eigen::Matrix<double, n_dofs, n_dofs> result;
+    result.setZero();
     for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
       {
-        const unsigned int      index = grid.point_index(*cell, q);
-        const MaterialPoint    &point = points[index];
-        const GradientOperator &B     = gradient_operators[index];
-        result += volumes[index] * B.transpose() *
-                  IncrementalResponse::tangent(
-                    material.elasticity,
-                    point.stress_before,
-                    point.stress,
-                    point.gradient,
-                    IncrementalResponse::stabilized_projection_derivative(
-                      material, point.trial_stress, elastic_share)) *
-                  B;
+        const unsigned int   index = grid.point_index(cell, q);
+        const MaterialPoint &point = points[index];
+        const auto    B = gradient_operators[index].template leftCols<n_dofs>();
+        const Matrix5 tangent =
+          volumes[index] *
+          IncrementalResponse::tangent(
+            material.elasticity,
+            point.stress_before,
+            point.stress,
+            point.gradient,
+            IncrementalResponse::stabilized_projection_derivative(
+              material, point.trial_stress, elastic_share));
+        result += B.transpose() * (tangent * B).eval();
       }
-    for (const unsigned int v : cell->vertex_indices())
-      if (const auto *equations = contact.equations_at(cell->vertex_index(v)))
-        result.middleRows<dim>(dim * v) = (to_eigen(equations->force_operator) *
-                                           result.middleRows<dim>(dim * v))
-                                            .eval();
+    for (const unsigned int v : cell.vertex_indices())
+      if (const auto *equations = contact.equations_at(cell.vertex_index(v)))
+        {
+          auto rows = result.template middleRows<dim>(dim * v);
+          rows      = (to_eigen(equations->force_operator) * rows).eval();
+        }
     return result;
   }
 
 
 
+  template <int n_dofs>
   void
-  Equilibrium::assemble_tangent(const WallContact              &contact,
-                                const double                    elastic_share,
-                                TrilinosWrappers::SparseMatrix &matrix) const
+  Equilibrium::add_cell_tangents(const WallContact &contact,
+                                 const double       elastic_share,
+                                 TangentMatrix     &matrix) const
   {
-    matrix                    = 0.;
-    const unsigned int n_dofs = grid.finite_element.n_dofs_per_cell();
-    FullMatrix<double> block(n_dofs, n_dofs);
-    for_each_cell([&](const auto &cell, const auto &dofs) {
-      const CellMatrix tangent = cell_tangent(cell, contact, elastic_share);
-      for (unsigned int i = 0; i < n_dofs; ++i)
-        for (unsigned int j = 0; j < n_dofs; ++j)
-          block(i, j) = tangent(i, j);
-      constexpr bool leave_out_zeros = false; // to look for them costs more
-      matrix.add(dofs, block, leave_out_zeros);
-    });
+    for (unsigned int i = 0; i < grid.local_cells.size(); ++i)
+      matrix.add(i,
+                 cell_tangent<n_dofs>(*grid.local_cells[i].cell,
+                                      contact,
+                                      elastic_share));
+  }
+
+
+
+  void
+  Equilibrium::assemble_tangent(const WallContact &contact,
+                                const double       elastic_share,
+                                TangentMatrix     &matrix) const
+  {
+    matrix.set_zero();
+    if (grid.finite_element.n_dofs_per_cell() == 6)
+      add_cell_tangents<6>(contact, elastic_share, matrix);
+    else
+      add_cell_tangents<8>(contact, elastic_share, matrix);
     contact.add_stiffness([&matrix](const auto i, const auto j, const auto a) {
       matrix.add(i, j, a);
     });
-    matrix.compress(VectorOperation::add);
   }
 } // namespace Sandglass

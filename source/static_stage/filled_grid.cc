@@ -5,6 +5,8 @@
 #include <sandglass/scene/triangulate.h>
 #include <sandglass/static_stage/filled_grid.h>
 
+#include <algorithm>
+
 namespace Sandglass
 {
   namespace
@@ -49,6 +51,21 @@ namespace Sandglass
       std::make_shared<const Utilities::MPI::Partitioner>(owned_dofs,
                                                           relevant_dofs,
                                                           scene.communicator);
+
+    std::vector<types::global_dof_index> dofs(finite_element.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          LocalCell local_cell{cell, {}};
+          cell->get_dof_indices(dofs);
+          std::transform(dofs.begin(),
+                         dofs.end(),
+                         local_cell.dofs.begin(),
+                         [this](const types::global_dof_index dof) {
+                           return partitioner->global_to_local(dof);
+                         });
+          local_cells.push_back(local_cell);
+        }
   }
 
 

@@ -1,7 +1,5 @@
 #include <sandglass/static_stage/incremental_response.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 
 namespace Sandglass
@@ -21,57 +19,23 @@ namespace Sandglass
     using Matrix4x5 = Eigen::Matrix<double, 4, 5>;
     using Matrix5x4 = Eigen::Matrix<double, 5, 4>;
 
-    /// Counterclockwise, (dv/dx - du/dy) / 2 of the displacement increment.
-    double
-    spin(const Gradient5 &H)
-    {
-      return (H[G::yx] - H[G::xy]) / 2.;
-    }
-
-
-
-    SymmetricTensor4
-    symmetric_part(const Gradient5 &H)
-    {
-      return {H[G::xx], H[G::yy], H[G::hoop], (H[G::xy] + H[G::yx]) / 2.};
-    }
-
-
-
-    /// The in-plane part of F's cofactor, det(F) F^-T without the hoop factor,
-    /// is linear in F.
-    Eigen::Matrix2d
-    in_plane_cofactor(const Gradient5 &H)
-    {
-      Eigen::Matrix2d cofactor;
-      cofactor << 1. + H[G::yy], -H[G::yx], -H[G::xy], 1. + H[G::xx];
-      return cofactor;
-    }
-
-
-
-    Eigen::Matrix2d
-    in_plane(const SymmetricTensor4 &stress)
-    {
-      Eigen::Matrix2d matrix;
-      matrix << stress[S::xx], stress[S::xy], stress[S::xy], stress[S::yy];
-      return matrix;
-    }
-
-
-
     /// Derivative of the trial stress with respect to H.
     Matrix4x5
     trial_stress_derivative(const Elasticity       &elasticity,
                             const SymmetricTensor4 &stress_before)
     {
+      // H_yx = 1 alone is a shear strain of 1/2 and a spin of 1/2
+      const SymmetricTensor4 shear_stress(0., 0., 0., elasticity.shear_modulus);
+      const SymmetricTensor4 rotation = jaumann_rotation(stress_before, 0.5);
+      const double           lambda   = elasticity.lame_modulus;
+      const double           confined = elasticity.confined_modulus();
+
       Matrix4x5 derivative;
-      for (int i = 0; i < 5; ++i)
-        derivative.col(i) =
-          IncrementalResponse::trial_stress(elasticity,
-                                            stress_before,
-                                            Gradient5::Unit(i)) -
-          stress_before;
+      derivative.col(G::xx) << confined, lambda, lambda, 0.;
+      derivative.col(G::yy) << lambda, confined, lambda, 0.;
+      derivative.col(G::hoop) << lambda, lambda, confined, 0.;
+      derivative.col(G::xy) = shear_stress - rotation;
+      derivative.col(G::yx) = shear_stress + rotation;
       return derivative;
     }
 
@@ -81,10 +45,16 @@ namespace Sandglass
     Matrix5x4
     stress_sensitivity(const Gradient5 &H)
     {
+      const Eigen::Matrix2d cofactor =
+        IncrementalResponse::in_plane_cofactor(H);
+      const Eigen::Matrix2d stretched = (1. + H[G::hoop]) * cofactor;
+
       Matrix5x4 derivative;
-      for (int i = 0; i < 4; ++i)
-        derivative.col(i) =
-          IncrementalResponse::piola_stress(SymmetricTensor4::Unit(i), H);
+      derivative.row(G::xx) << stretched(0, 0), 0., 0., stretched(1, 0);
+      derivative.row(G::xy) << stretched(0, 1), 0., 0., stretched(1, 1);
+      derivative.row(G::yx) << 0., stretched(1, 0), 0., stretched(0, 0);
+      derivative.row(G::yy) << 0., stretched(1, 1), 0., stretched(0, 1);
+      derivative.row(G::hoop) << 0., 0., cofactor.determinant(), 0.;
       return derivative;
     }
 
@@ -94,68 +64,29 @@ namespace Sandglass
     Matrix5
     geometric_tangent(const SymmetricTensor4 &stress, const Gradient5 &H)
     {
-      Matrix5               derivative = Matrix5::Zero();
-      const double          stretch    = 1. + H[G::hoop];
-      const Eigen::Matrix2d cofactor   = in_plane_cofactor(H);
-      const Eigen::Matrix2d P          = in_plane(stress) * cofactor;
+      const Eigen::Matrix2d cofactor =
+        IncrementalResponse::in_plane_cofactor(H);
+      const double    stretch = 1. + H[G::hoop];
+      const double    xx      = stretch * stress[S::xx];
+      const double    yy      = stretch * stress[S::yy];
+      const double    xy      = stretch * stress[S::xy];
+      const double    zz      = stress[S::zz];
+      Eigen::Matrix2d P;
+      P << stress[S::xx], stress[S::xy], stress[S::xy], stress[S::yy];
+      P *= cofactor;
 
-      // in-plane rows: stretch * stress * cofactor(H)
-      const auto in_plane_rows = [&](const Eigen::Matrix2d &change,
-                                     int                    column) {
-        derivative(G::xx, column) = change(0, 0);
-        derivative(G::xy, column) = change(0, 1);
-        derivative(G::yx, column) = change(1, 0);
-        derivative(G::yy, column) = change(1, 1);
-      };
-      for (const int i : {G::xx, G::xy, G::yx, G::yy})
-        in_plane_rows(stretch * in_plane(stress) *
-                        (in_plane_cofactor(Gradient5::Unit(i)) -
-                         Eigen::Matrix2d::Identity()),
-                      i);
-      in_plane_rows(P, G::hoop);
-
-      // hoop row: stress_zz * det(in-plane F), whose derivative is the cofactor
-      const double hoop_stress   = stress[S::zz];
-      derivative(G::hoop, G::xx) = hoop_stress * cofactor(0, 0);
-      derivative(G::hoop, G::xy) = hoop_stress * cofactor(0, 1);
-      derivative(G::hoop, G::yx) = hoop_stress * cofactor(1, 0);
-      derivative(G::hoop, G::yy) = hoop_stress * cofactor(1, 1);
+      // in-plane rows: stretch * stress * cofactor(H); hoop row: stress_zz *
+      // det(in-plane F), whose derivative is the cofactor
+      Matrix5 derivative;
+      derivative.row(G::xx) << 0., -xy, 0., xx, P(0, 0);
+      derivative.row(G::xy) << xy, 0., -xx, 0., P(0, 1);
+      derivative.row(G::yx) << 0., -yy, 0., xy, P(1, 0);
+      derivative.row(G::yy) << yy, 0., -xy, 0., P(1, 1);
+      derivative.row(G::hoop) << zz * cofactor(0, 0), zz * cofactor(0, 1),
+        zz * cofactor(1, 0), zz * cofactor(1, 1), 0.;
       return derivative;
     }
   } // namespace
-
-
-
-  double
-  IncrementalResponse::volume_ratio(const Gradient5 &H)
-  {
-    return in_plane_cofactor(H).determinant() * (1. + H[G::hoop]);
-  }
-
-
-
-  SymmetricTensor4
-  IncrementalResponse::trial_stress(const Elasticity       &elasticity,
-                                    const SymmetricTensor4 &stress_before,
-                                    const Gradient5        &H)
-  {
-    return stress_before + jaumann_rotation(stress_before, spin(H)) +
-           elasticity.stress(symmetric_part(H));
-  }
-
-
-
-  Gradient5
-  IncrementalResponse::piola_stress(const SymmetricTensor4 &stress,
-                                    const Gradient5        &H)
-  {
-    const Eigen::Matrix2d cofactor = in_plane_cofactor(H);
-    const Eigen::Matrix2d P = (1. + H[G::hoop]) * in_plane(stress) * cofactor;
-    Gradient5             result;
-    result << P(0, 0), P(0, 1), P(1, 0), P(1, 1),
-      stress[S::zz] * cofactor.determinant();
-    return result;
-  }
 
 
 

@@ -1,8 +1,3 @@
-#include <deal.II/dofs/dof_tools.h>
-
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
-
 #include <sandglass/static_stage/newton_solver.h>
 
 #include <algorithm>
@@ -56,23 +51,6 @@ namespace Sandglass
 
 
 
-    TrilinosWrappers::SparsityPattern
-    make_sparsity(const FilledGrid &grid)
-    {
-      TrilinosWrappers::SparsityPattern sparsity(
-        grid.owned_dofs, grid.triangulation.get_communicator());
-      DoFTools::make_sparsity_pattern(
-        grid.dof_handler,
-        sparsity,
-        AffineConstraints<double>(),
-        true,
-        grid.triangulation.locally_owned_subdomain());
-      sparsity.compress();
-      return sparsity;
-    }
-
-
-
     /// How well a step has to solve the linear equations. Convergence stays
     /// faster than linear, and no more is solved for than a step can gain.
     double
@@ -92,7 +70,7 @@ namespace Sandglass
     , equilibrium(equilibrium)
     , contact(contact)
     , parameters(parameters)
-    , tangent(make_sparsity(grid))
+    , tangent(grid, TangentMatrix::Storage::columns)
     , tangent_solver(tangent)
     , forces(grid.make_vector())
     , residual(grid.make_vector())

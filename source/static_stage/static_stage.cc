@@ -172,7 +172,7 @@ namespace Sandglass
     displacement.zero_out_ghost_values();
     displacement.add(1., increment);
     displacement.update_ghost_values();
-    equilibrium.start_step(displacement);
+    equilibrium.start_step();
     contact.commit();
   }
 

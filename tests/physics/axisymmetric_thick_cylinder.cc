@@ -1,8 +1,5 @@
-#include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_solver.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <sandglass/static_stage/equilibrium.h>
 
@@ -151,18 +148,13 @@ namespace
       equilibrium.evaluate_forces(zero, 0., forces);
       contact.evaluate(forces, zero, zero);
 
-      TrilinosWrappers::SparsityPattern pattern(grid.owned_dofs,
-                                                MPI_COMM_WORLD);
-      DoFTools::make_sparsity_pattern(grid.dof_handler, pattern);
-      pattern.compress();
-      TrilinosWrappers::SparseMatrix stiffness;
-      stiffness.reinit(pattern);
+      TangentMatrix stiffness(grid, TangentMatrix::Storage::rows);
       equilibrium.assemble_tangent(contact, 1., stiffness);
 
       FilledGrid::Vector             displacement = grid.make_vector();
       SolverControl                  control;
       TrilinosWrappers::SolverDirect solver(control);
-      solver.initialize(stiffness);
+      solver.initialize(stiffness.stored_matrix());
       displacement.zero_out_ghost_values();
       solver.solve(displacement, load());
       displacement.update_ghost_values();

@@ -117,7 +117,7 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
   patch.expect_uniform_stress(elastic);
   EXPECT_LT(patch.largest_inner_force(), 1e-14);
 
-  patch.equilibrium.start_step(first);
+  patch.equilibrium.start_step();
   patch.equilibrium.evaluate_forces(patch.linear_field(
                                       L_2 * (L_1 + unit_symmetric_tensor<2>())),
                                     0.,

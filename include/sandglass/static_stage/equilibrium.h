@@ -3,11 +3,10 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-
 #include <sandglass/material/drucker_prager.h>
 #include <sandglass/static_stage/filled_grid.h>
 #include <sandglass/static_stage/incremental_response.h>
+#include <sandglass/static_stage/tangent_matrix.h>
 #include <sandglass/static_stage/wall_contact.h>
 
 #include <functional>
@@ -60,9 +59,9 @@ namespace Sandglass
       return nodal_weight;
     }
 
-    /// Make the current state the start of a load step.
+    /// Make the state of the last evaluate_forces() the start of a load step.
     void
-    start_step(const Vector &displacement);
+    start_step();
 
     /**
      * Internal minus external nodal forces, in N, with ghost entries.
@@ -82,11 +81,12 @@ namespace Sandglass
      *                       projection, to 1, the elastic stiffness.
      */
     void
-    assemble_tangent(const WallContact              &contact,
-                     const double                    elastic_share,
-                     TrilinosWrappers::SparseMatrix &matrix) const;
+    assemble_tangent(const WallContact &contact,
+                     const double       elastic_share,
+                     TangentMatrix     &matrix) const;
 
-    /// Quadrature point q of active cell i has the index i * n_points + q.
+    /// Quadrature point q of active cell i has the index i * n_points + q. Only
+    /// those of FilledGrid::local_cells mean anything.
     const std::vector<MaterialPoint> &
     material_points() const
     {
@@ -94,38 +94,56 @@ namespace Sandglass
     }
 
   private:
-    /// Maps nodal increments of a cell to their gradient H at a point.
-    using GradientOperator = Eigen::Matrix<double, 5, Eigen::Dynamic, 0, 5, 8>;
-    using CellVector       = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
-    using CellMatrix =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
-    using CellIterator = DoFHandler<dim>::active_cell_iterator;
+    /// Maps nodal increments of a cell to their gradient H at a point. The last
+    /// two columns are unused in triangles.
+    using GradientOperator = Eigen::Matrix<double, 5, 8>;
 
-    /// Call `work(cell, dofs)` for each owned cell.
-    template <typename Work>
+    /// Add to the values at those of the cell's nodes that this rank owns.
     void
-    for_each_cell(const Work &work) const;
+    add_to(const FilledGrid::LocalCell            &local_cell,
+           const Eigen::Ref<const Eigen::VectorXd> values,
+           Vector                                 &vector) const;
+
+    /// Weight and unloaded configuration.
+    void
+    set_up(const Formulation formulation,
+           const double      density,
+           const BodyForce  &body_force);
+
+    void
+    set_up_point(const FEValues<dim> &fe_values,
+                 const unsigned int   q,
+                 const Formulation    formulation,
+                 const unsigned int   index);
 
     /// Make the deformed configuration the reference of one point.
     void
-    start_step(const FEValues<dim> &fe_values,
-               const unsigned int   q,
-               const CellVector    &displacement,
-               const unsigned int   index);
+    start_step(const unsigned int index);
 
+    template <int n_dofs>
     void
-    update_stress(const CellVector &increment, const unsigned int index);
+    update_stress(const Eigen::Matrix<double, n_dofs, 1> &increment,
+                  const unsigned int                      index);
 
-    CellMatrix
-    cell_tangent(const CellIterator &cell,
-                 const WallContact  &contact,
-                 const double        elastic_share) const;
-
+    /// @tparam n_dofs  per cell; known to the compiler, it saves a fifth of the
+    ///                 time.
+    template <int n_dofs>
     void
-    assemble_weight(const double density, const BodyForce &body_force);
+    add_internal_forces(const Vector &increment, Vector &forces);
+
+    template <int n_dofs>
+    Eigen::Matrix<double, n_dofs, n_dofs>
+    cell_tangent(const CellAccessor<dim> &cell,
+                 const WallContact       &contact,
+                 const double             elastic_share) const;
+
+    template <int n_dofs>
+    void
+    add_cell_tangents(const WallContact &contact,
+                      const double       elastic_share,
+                      TangentMatrix     &matrix) const;
 
     const FilledGrid    &grid;
-    const Formulation    formulation;
     const DruckerPrager &material;
 
     std::vector<MaterialPoint>    points;

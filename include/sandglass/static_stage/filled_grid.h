@@ -15,6 +15,7 @@
 
 #include <sandglass/scene/scene.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -38,6 +39,21 @@ namespace Sandglass
     /// A nodal vector field that is zero, with up-to-date ghost entries.
     Vector
     make_vector() const;
+
+    /// A cell that this rank owns, or that shares a node with such a cell.
+    struct LocalCell
+    {
+      DoFHandler<dim>::active_cell_iterator cell;
+      /// Where its degrees of freedom stand in this rank's vectors; those below
+      /// n_owned_dofs() are its own.
+      std::array<unsigned int, 8> dofs;
+    };
+
+    unsigned int
+    n_owned_dofs() const
+    {
+      return owned_dofs.n_elements();
+    }
 
     /// Where values at quadrature point q of a cell stand in arrays of them.
     unsigned int
@@ -71,6 +87,12 @@ namespace Sandglass
     DoFHandler<dim> node_handler;
 
     IndexSet owned_dofs, relevant_dofs;
+
+    /**
+     * Sums over them are complete at the nodes that this rank owns: work on the
+     * ghost cells is done twice, and nothing has to be exchanged.
+     */
+    std::vector<LocalCell> local_cells;
 
   private:
     std::shared_ptr<const Utilities::MPI::Partitioner> partitioner;

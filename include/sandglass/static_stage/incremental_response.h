@@ -4,6 +4,7 @@
 #include <sandglass/material/drucker_prager.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 namespace Sandglass
 {
@@ -35,25 +36,62 @@ namespace Sandglass
    */
   namespace IncrementalResponse
   {
+    /// The in-plane part of F's cofactor, det(F) F^-T without the hoop factor;
+    /// it is linear in F.
+    inline Eigen::Matrix2d
+    in_plane_cofactor(const Gradient5 &H)
+    {
+      namespace G = GradientComponent;
+      Eigen::Matrix2d cofactor;
+      cofactor << 1. + H[G::yy], -H[G::yx], -H[G::xy], 1. + H[G::xx];
+      return cofactor;
+    }
+
     /// J, current volume over volume at the start of the step.
-    double
-    volume_ratio(const Gradient5 &H);
+    inline double
+    volume_ratio(const Gradient5 &H)
+    {
+      return in_plane_cofactor(H).determinant() *
+             (1. + H[GradientComponent::hoop]);
+    }
 
     /**
      * Elastic trial stress after the increment, by the forward-Euler rule of
      * Section 4.1 of the paper with strain increment sym(H) and spin skew(H).
      */
-    SymmetricTensor4
+    inline SymmetricTensor4
     trial_stress(const Elasticity       &elasticity,
                  const SymmetricTensor4 &stress_before,
-                 const Gradient5        &H);
+                 const Gradient5        &H)
+    {
+      namespace G = GradientComponent;
+      const SymmetricTensor4 strain(H[G::xx],
+                                    H[G::yy],
+                                    H[G::hoop],
+                                    (H[G::xy] + H[G::yx]) / 2.);
+      const double           spin = (H[G::yx] - H[G::xy]) / 2.;
+      return stress_before + jaumann_rotation(stress_before, spin) +
+             elasticity.stress(strain);
+    }
 
     /**
      * First Piola-Kirchhoff stress J sigma F^-T in Pa: what the virtual
      * displacement's gradient in the reference configuration works on.
      */
-    Gradient5
-    piola_stress(const SymmetricTensor4 &stress, const Gradient5 &H);
+    inline Gradient5
+    piola_stress(const SymmetricTensor4 &stress, const Gradient5 &H)
+    {
+      namespace S                    = Component;
+      const Eigen::Matrix2d cofactor = in_plane_cofactor(H);
+      Eigen::Matrix2d       in_plane;
+      in_plane << stress[S::xx], stress[S::xy], stress[S::xy], stress[S::yy];
+      const Eigen::Matrix2d P =
+        (1. + H[GradientComponent::hoop]) * in_plane * cofactor;
+      Gradient5 result;
+      result << P(0, 0), P(0, 1), P(1, 0), P(1, 1),
+        stress[S::zz] * cofactor.determinant();
+      return result;
+    }
 
     /**
      * Consistent tangent: the derivative of the first Piola-Kirchhoff stress

@@ -1,10 +1,9 @@
 #ifndef sandglass_static_stage_newton_solver_h
 #define sandglass_static_stage_newton_solver_h
 
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-
 #include <sandglass/static_stage/equilibrium.h>
 #include <sandglass/static_stage/static_stage_parameters.h>
+#include <sandglass/static_stage/tangent_matrix.h>
 #include <sandglass/static_stage/tangent_solver.h>
 #include <sandglass/static_stage/wall_contact.h>
 
@@ -78,11 +77,11 @@ namespace Sandglass
     WallContact                 &contact;
     const StaticStageParameters &parameters;
 
-    TrilinosWrappers::SparseMatrix tangent;
-    TangentSolver                  tangent_solver;
-    Vector                         forces, residual, step, trial, displacement;
-    const Vector                  *displacement_before = nullptr;
-    double                         load_share          = 0.;
+    TangentMatrix tangent;
+    TangentSolver tangent_solver;
+    Vector        forces, residual, step, trial, displacement;
+    const Vector *displacement_before = nullptr;
+    double        load_share          = 0.;
   };
 } // namespace Sandglass
 

@@ -1,21 +1,22 @@
 #ifndef sandglass_static_stage_tangent_solver_h
 #define sandglass_static_stage_tangent_solver_h
 
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-
-#include <sandglass/static_stage/filled_grid.h>
+#include <sandglass/static_stage/tangent_matrix.h>
 
 #include <Amesos_BaseSolver.h>
 #include <Epetra_LinearProblem.h>
 
 #include <memory>
+#include <vector>
 
 namespace Sandglass
 {
   /**
    * Linear solver for the tangents of Newton's method, which change little from
-   * one iteration to the next: GMRES with the factors of an earlier tangent as
-   * its preconditioner, and new factors where that takes too many iterations.
+   * one iteration to the next: the factors of an earlier tangent precondition
+   * the method of generalized conjugate residuals (Eisenstat, Elman and Schultz
+   * 1983), which finds what GMRES does with one application of the factors
+   * less. Where that takes too many iterations there are new factors.
    *
    * The factors are those of Trilinos' direct solver KLU, by Amesos. The order
    * of elimination is found once, and the pivots serve again as long as the
@@ -27,8 +28,8 @@ namespace Sandglass
   public:
     using Vector = FilledGrid::Vector;
 
-    /// @param matrix  the tangent, which may change; its sparsity may not.
-    explicit TangentSolver(const TrilinosWrappers::SparseMatrix &matrix);
+    /// @param tangent  stored by columns.
+    explicit TangentSolver(const TangentMatrix &tangent);
 
     /**
      * Solve with the tangent as it is now, to a residual of this share of the
@@ -39,26 +40,35 @@ namespace Sandglass
     bool
     solve(const Vector &right_side, const double tolerance, Vector &solution);
 
-    /// Multiply by the inverse of the tangent that the factors belong to; what
-    /// deal.II asks of a preconditioner.
-    void
-    vmult(Vector &solution, const Vector &right_side) const;
-
   private:
+    /// A direction in which the solution has been improved, and the tangent
+    /// times it, whose norm is 1.
+    struct Improvement
+    {
+      Vector direction, image;
+    };
+
+    /// With the factors as they are; false if they are too old.
     bool
-    solve_iteratively(const Vector &right_side,
-                      const double  tolerance,
-                      Vector       &solution);
+    iterate(const Vector &right_side, const double tolerance, Vector &solution);
+
+    /// Multiply by the inverse of the tangent that the factors belong to.
+    void
+    apply_factors(const Vector &right_side, Vector &solution) const;
 
     bool
     factorize();
 
-    const TrilinosWrappers::SparseMatrix &matrix;
+    const TangentMatrix                  &tangent;
     std::unique_ptr<Epetra_LinearProblem> problem;
     std::unique_ptr<Amesos_BaseSolver>    factors;
     bool                                  has_factors = false;
-    /// With the present factors.
-    unsigned int n_iterations = 0;
+    /// Of the present factors: solutions found with them, iterations for these
+    /// and for the last of them.
+    unsigned int n_solutions = 0, n_iterations = 0, last_iterations = 0;
+
+    Vector                   residual;
+    std::vector<Improvement> improvements;
   };
 } // namespace Sandglass
 
