@@ -113,18 +113,31 @@ namespace Sandglass
     struct Nothing
     {};
 
+    /// Of v^L with the change, in 1/s.
+    template <typename Number>
+    auto
+    velocity_gradient(const Pair<Number> &reference) const
+    {
+      if constexpr (Setting::has_constant_gradients)
+        return gradient_of(velocities, shape.shape_gradients(reference));
+      else
+        {
+          auto gradient = shape.gradient_of(velocities, reference);
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e < dim; ++e)
+              gradient[d][e] += change.gradient[d][e];
+          return gradient;
+        }
+    }
+
     template <typename Number>
     DeformationIncrement<Number>
     increment_of(const Pair<Number> &reference, const Number &hoop_rate) const
     {
-      auto gradient = gradient_of(velocities, shape.shape_gradients(reference));
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int e = 0; e < dim; ++e)
-          {
-            if constexpr (!Setting::has_constant_gradients)
-              gradient[d][e] += change.gradient[d][e];
-            gradient[d][e] *= time_step;
-          }
+      auto gradient = velocity_gradient(reference);
+      for (auto &row : gradient)
+        for (auto &entry : row)
+          entry *= time_step;
       Number hoop(0.);
       if constexpr (Setting::has_hoop_strain)
         hoop = time_step * (hoop_rate + change.hoop);

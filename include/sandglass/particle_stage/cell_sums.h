@@ -69,7 +69,7 @@ namespace Sandglass
     void
     clear()
     {
-      values.fill(Number(0.));
+      set_to_zero(values);
     }
 
     /// Add particles; those without mass don't count.
@@ -97,14 +97,35 @@ namespace Sandglass
       return values[mass_index(i, j)];
     }
 
-    /// Of the lumped mass matrix, in kg: shape functions add up to 1.
-    Number
-    lumped_mass(const unsigned int i) const
+    /// The diagonal of the lumped mass matrix, in kg: shape functions add up to
+    /// 1.
+    std::array<Number, n_nodes>
+    lumped_masses() const
     {
-      Number result = mass_entry(i, 0);
-      for (unsigned int j = 1; j < n_nodes; ++j)
-        result += mass_entry(i, j);
+      std::array<Number, n_nodes> result{};
+      for_each_mass(
+        [&](const unsigned int i, const unsigned int j, const Number &entry) {
+          result[i] += entry;
+          if (i != j)
+            result[j] += entry;
+        });
       return result;
+    }
+
+    /// The consistent mass matrix times nodal values.
+    CellValues<dim, n_nodes>
+    mass_times(const CellValues<dim, n_nodes> &nodal_values) const
+    {
+      CellValues<dim, n_nodes> products{};
+      for_each_mass(
+        [&](const unsigned int i, const unsigned int j, const Number &entry) {
+          for (unsigned int d = 0; d < dim; ++d)
+            products[i][d] += entry * nodal_values[j][d];
+          if (i != j)
+            for (unsigned int d = 0; d < dim; ++d)
+              products[j][d] += entry * nodal_values[i][d];
+        });
+      return products;
     }
 
     Number
@@ -152,7 +173,22 @@ namespace Sandglass
     mass_index(const unsigned int i, const unsigned int j)
     {
       return i <= j ? mass + i * n_nodes - i * (i + 1) / 2 + j :
-                      mass_index(j, i);
+                      mass + j * n_nodes - j * (j + 1) / 2 + i;
+    }
+
+    /// Call `function(i, j, entry)` for the upper triangle of the consistent
+    /// mass matrix, as it is stored: loops over all of it spend more on finding
+    /// the entries than on what they compute.
+    template <typename Function>
+    void
+    for_each_mass(const Function &function) const
+    {
+      const Number *entry = &values[mass];
+#pragma GCC unroll 4
+      for (unsigned int i = 0; i < n_nodes; ++i)
+#pragma GCC unroll 4
+        for (unsigned int j = i; j < n_nodes; ++j)
+          function(i, j, *entry++);
     }
 
     void
@@ -202,16 +238,20 @@ namespace Sandglass
         }
       else
         {
-          const auto gradients = shape.shape_gradients(state.reference);
-          for (unsigned int i = 0; i < n_nodes; ++i)
+          const auto gradients = shape.reference_gradients(state.reference);
+          const Pair<Number> along_x = nodal_force(xx, yy, xy, gradients[0]);
+          const Pair<Number> along_y = nodal_force(xx, yy, xy, gradients[1]);
+          for (unsigned int d = 0; d < dim; ++d)
             {
-              Number    *node_force = &values[force + dim * i];
-              const auto of_stress  = nodal_force(xx, yy, xy, gradients[i]);
-              for (unsigned int d = 0; d < dim; ++d)
-                node_force[d] += of_stress[d];
-              if constexpr (Setting::has_hoop_strain)
-                node_force[0] += hoop * shape_values[i];
+              const Pair<Number> direction{{along_x[d], along_y[d]}};
+              const auto         of_nodes =
+                Shape::derivatives_along(direction, state.reference);
+              for (unsigned int i = 0; i < n_nodes; ++i)
+                values[force + dim * i + d] += of_nodes[i];
             }
+          if constexpr (Setting::has_hoop_strain)
+            for (unsigned int i = 0; i < n_nodes; ++i)
+              values[force + dim * i] += hoop * shape_values[i];
         }
     }
   };

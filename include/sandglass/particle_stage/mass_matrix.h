@@ -168,12 +168,13 @@ namespace Sandglass
     cell_mass(const std::array<unsigned int, n_nodes> &cell_nodes,
               const CellSums<Setting, double>         &sums) const
     {
-      CellMass cell{cell_nodes, {}};
+      const auto lumped_masses = sums.lumped_masses();
+      CellMass   cell{cell_nodes, {}};
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
           for (unsigned int j = 0; j < n_nodes; ++j)
             cell.matrix[i][j] = consistent_share * sums.mass_entry(i, j);
-          cell.matrix[i][i] += (1. - consistent_share) * sums.lumped_mass(i);
+          cell.matrix[i][i] += (1. - consistent_share) * lumped_masses[i];
         }
       return cell;
     }

@@ -49,10 +49,11 @@ namespace Sandglass
         const auto &nodes = geometry.nodes(cell);
         const auto &shape = geometry.shape(cell);
         const auto  force = integration.force(cell, cells[cell]);
+        const auto  mass  = cells[cell].lumped_masses();
         for (unsigned int i = 0; i < n_nodes; ++i)
           {
             double *node_sums = sums.at(nodes[i]);
-            node_sums[NodalSum::mass] += cells[cell].lumped_mass(i);
+            node_sums[NodalSum::mass] += mass[i];
             for (unsigned int d = 0; d < dim; ++d)
               {
                 node_sums[NodalSum::momentum + d] +=
@@ -78,8 +79,8 @@ namespace Sandglass
     {
       momentum.start_sum();
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
-        const auto &nodes  = geometry.nodes(cell);
-        auto        values = mass_times(cell, gather(acceleration, nodes));
+        const auto &nodes = geometry.nodes(cell);
+        auto values       = cells[cell].mass_times(gather(acceleration, nodes));
         for (unsigned int i = 0; i < n_nodes; ++i)
           for (unsigned int d = 0; d < dim; ++d)
             values[i][d] =
@@ -104,7 +105,7 @@ namespace Sandglass
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
         const auto &cell_nodes = geometry.nodes(cell);
         const auto  values     = gather(field, cell_nodes);
-        const auto  products   = mass_times(cell, values);
+        const auto  products   = cells[cell].mass_times(values);
         energy += scalar_product(products, values);
         Sandglass::scatter(products, cell_nodes, product);
       });
@@ -138,19 +139,6 @@ namespace Sandglass
 
   private:
     using Shape = CellShape<Setting::cell_type>;
-
-    /// A cell's share of M values.
-    CellValues<dim, n_nodes>
-    mass_times(const unsigned int              cell,
-               const CellValues<dim, n_nodes> &values) const
-    {
-      CellValues<dim, n_nodes> products{};
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int j = 0; j < n_nodes; ++j)
-          for (unsigned int d = 0; d < dim; ++d)
-            products[i][d] += cells[cell].mass_entry(i, j) * values[j][d];
-      return products;
-    }
 
     void
     add_stiffness(const unsigned int                       cell,

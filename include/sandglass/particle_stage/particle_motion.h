@@ -31,7 +31,7 @@ namespace Sandglass
   {
     for (unsigned int d = 0; d < dim; ++d)
       state.location[d] += time_step * velocity[d];
-    state.reference = shape.to_reference(state.location);
+    state.reference = shape.to_reference(state.location, state.reference);
   }
 } // namespace Sandglass
 

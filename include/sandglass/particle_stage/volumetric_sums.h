@@ -37,7 +37,7 @@ namespace Sandglass
     void
     clear()
     {
-      values.fill(Number(0.));
+      set_to_zero(values);
     }
 
     /// Add particles; those without mass, and those less dense, don't count.
@@ -53,11 +53,16 @@ namespace Sandglass
       values[volume] += stressed_volume;
       if constexpr (!Setting::has_constant_gradients)
         {
-          const auto gradients = shape.shape_gradients(state.reference);
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            for (unsigned int d = 0; d < dim; ++d)
-              values[weights + dim * i + d] +=
-                stressed_volume * gradients[i][d];
+          const auto gradients = shape.reference_gradients(state.reference);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const Pair<Number> direction{{stressed_volume * gradients[0][d],
+                                            stressed_volume * gradients[1][d]}};
+              const auto         of_nodes =
+                Shape::derivatives_along(direction, state.reference);
+              for (unsigned int i = 0; i < n_nodes; ++i)
+                values[weights + dim * i + d] += of_nodes[i];
+            }
         }
       if constexpr (Setting::has_hoop_strain)
         {
