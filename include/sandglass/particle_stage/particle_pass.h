@@ -88,12 +88,15 @@ namespace Sandglass
       const Shape &shape = geometry.shape(cell);
 
       typename Deformation::RateChange change;
-      if constexpr (!Setting::has_uniform_strain)
-        change = sums.rate_change(cell, velocities);
-      AveragedRate averaged{};
+      AveragedRate                     averaged{};
       if constexpr (is_averaged)
-        averaged = {volumetric_average.rate(cell),
-                    volumetric_average.smallest_density};
+        {
+          change   = volumetric_average.rate_change(cell);
+          averaged = {volumetric_average.rate(cell),
+                      volumetric_average.smallest_density};
+        }
+      else if constexpr (!Setting::has_uniform_strain)
+        change = sums.rate_change(cell, velocities);
       const Deformation deformation(shape,
                                     velocities,
                                     change,

@@ -5,6 +5,7 @@
 #include <sandglass/particle_stage/volumetric_sums.h>
 
 #include <memory>
+#include <vector>
 
 namespace Sandglass
 {
@@ -30,6 +31,7 @@ namespace Sandglass
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
     using Geometry                        = CellGeometry<Setting::cell_type>;
     using Sums                            = SumsByCell<Setting, VolumetricSums>;
+    using RateChange = typename CellIntegration<Setting>::RateChange;
 
     /// @param smallest_density  of stressed particles, in kg/m^3.
     VolumetricAverage(const Utilities::MPI::Partitioner &nodes,
@@ -45,6 +47,8 @@ namespace Sandglass
         return;
       cells = std::make_unique<Sums>(geometry, smallest_density);
       nodal = std::make_unique<NodalField<n_values>>(nodes);
+      if constexpr (!Setting::has_uniform_strain)
+        rate_changes.resize(geometry.n_cells());
     }
 
     /**
@@ -70,8 +74,10 @@ namespace Sandglass
         double rate_times_volume =
           of_cell.rate_times_volume(geometry.shape(cell), velocities);
         if constexpr (!Setting::has_uniform_strain)
-          rate_times_volume +=
-            volume * sums.rate_change(cell, velocities).volumetric();
+          {
+            rate_changes[cell] = sums.rate_change(cell, velocities);
+            rate_times_volume += volume * rate_changes[cell].volumetric();
+          }
 
         CellValues<n_values, n_nodes> contributions;
         contributions.fill({{volume, rate_times_volume}});
@@ -97,6 +103,16 @@ namespace Sandglass
       return sum / n_nodes;
     }
 
+    /// Of the last compute(), see NodalSums::rate_change().
+    RateChange
+    rate_change(const unsigned int cell) const
+    {
+      if constexpr (Setting::has_uniform_strain)
+        return {};
+      else
+        return rate_changes[cell];
+    }
+
     const bool is_on;
 
     /// Of stressed particles, in kg/m^3.
@@ -117,6 +133,8 @@ namespace Sandglass
     const Geometry                       &geometry;
     const unsigned int                    n_owned_nodes;
     std::unique_ptr<NodalField<n_values>> nodal;
+    /// Of each cell with particles, unless strain is uniform.
+    std::vector<RateChange> rate_changes;
   };
 } // namespace Sandglass
 
