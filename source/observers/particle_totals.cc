@@ -71,7 +71,7 @@ namespace Sandglass
       LaneSums              sums;
       const ParticleBlocks &blocks = stage.cloud.blocks();
       run_with_widest_vectors([&]() {
-        for (unsigned int cell = 0; cell < blocks.n_cells(); ++cell)
+        for (const unsigned int cell : blocks.cells())
           blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
             sums.add(load_state(blocks[block]), elasticity);
           });

@@ -92,10 +92,10 @@ namespace Sandglass
     sorted_links.clear();
     sorted_blocks.reserve(blocks.size());
     sorted_links.reserve(links.size());
-    for (unsigned int &head : first)
+    for (const unsigned int cell : cells_in_order)
       {
-        unsigned int  block = head;
-        unsigned int *place = &head;
+        unsigned int  block = first[cell];
+        unsigned int *place = &first[cell];
         while (block != none)
           {
             *place = sorted_blocks.size();

@@ -7,12 +7,28 @@
 
 namespace Sandglass
 {
+  namespace
+  {
+    std::vector<unsigned int>
+    indices_of_owned_cells(const Scene &scene)
+    {
+      std::vector<unsigned int> cells;
+      for (const auto &cell : scene.triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          cells.push_back(cell->active_cell_index());
+      return cells;
+    }
+  } // namespace
+
+
+
   ParticleCloud::ParticleCloud(const Scene &scene)
     : scene(scene)
     , particle_handler(scene.triangulation,
                        scene.mapping,
                        Property::n_properties)
-    , particle_blocks(scene.triangulation.n_active_cells())
+    , particle_blocks(scene.triangulation.n_active_cells(),
+                      indices_of_owned_cells(scene))
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       {

@@ -71,7 +71,7 @@ namespace Sandglass
   void
   for_each_filled_cell(const ParticleBlocks &blocks, const Kernel &kernel)
   {
-    for (unsigned int cell = 0; cell < blocks.n_cells(); ++cell)
+    for (const unsigned int cell : blocks.cells())
       if (blocks.first_block(cell) != ParticleBlocks::none)
         kernel(cell);
   }
@@ -87,12 +87,13 @@ namespace Sandglass
   for_each_cell_of_particles(const ParticleBlocks &blocks, const Kernel &kernel)
   {
     constexpr unsigned int ahead = 8; // 4 is as good
-    for (unsigned int cell = 0; cell < blocks.n_cells(); ++cell)
-      if (blocks.first_block(cell) != ParticleBlocks::none)
+    const auto            &cells = blocks.cells();
+    for (unsigned int n = 0; n < cells.size(); ++n)
+      if (blocks.first_block(cells[n]) != ParticleBlocks::none)
         {
-          if (cell + ahead < blocks.n_cells())
-            blocks.prefetch(cell + ahead);
-          kernel(cell);
+          if (n + ahead < cells.size())
+            blocks.prefetch(cells[n + ahead]);
+          kernel(cells[n]);
         }
   }
 

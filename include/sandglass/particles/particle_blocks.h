@@ -4,6 +4,7 @@
 #include <sandglass/base/lanes.h>
 #include <sandglass/particles/parcel.h>
 
+#include <utility>
 #include <vector>
 
 namespace Sandglass
@@ -77,8 +78,11 @@ namespace Sandglass
   public:
     static constexpr unsigned int none = numbers::invalid_unsigned_int;
 
-    explicit ParticleBlocks(const unsigned int n_cells)
-      : first(n_cells, none)
+    /// @param cells  that may hold particles, in the order in which they are
+    ///               gone through: on a rank its own. Of `n_cells` in all.
+    ParticleBlocks(const unsigned int n_cells, std::vector<unsigned int> cells)
+      : cells_in_order(std::move(cells))
+      , first(n_cells, none)
     {}
 
     /// Remove all particles.
@@ -139,6 +143,13 @@ namespace Sandglass
       return first.size();
     }
 
+    /// Those that may hold particles.
+    const std::vector<unsigned int> &
+    cells() const
+    {
+      return cells_in_order;
+    }
+
     /// A cell's first block, or `none`.
     unsigned int
     first_block(const unsigned int cell) const
@@ -195,7 +206,7 @@ namespace Sandglass
     void
     for_each(const Function &function) const
     {
-      for (unsigned int cell = 0; cell < first.size(); ++cell)
+      for (const unsigned int cell : cells_in_order)
         for_each_in_cell(cell, function);
     }
 
@@ -241,6 +252,8 @@ namespace Sandglass
     /// Copy the first lane, without mass, into the empty ones.
     void
     fill_empty_lanes(const unsigned int block);
+
+    const std::vector<unsigned int> cells_in_order;
 
     std::vector<ParticleBlock> blocks;
     std::vector<Link>          links;
