@@ -43,10 +43,10 @@ struct StaticFixture
   std::ostringstream                log_text;
 
   void
-  run(const Sandglass::Mesh &mesh)
+  run(const Sandglass::Mesh &mesh, const MPI_Comm communicator = MPI_COMM_WORLD)
   {
     scene = std::make_unique<Sandglass::Scene>(
-      mesh, formulation, 4, gravity, MPI_COMM_WORLD);
+      mesh, formulation, 4, gravity, communicator);
     dealii::ConditionalOStream log(log_text);
     Sandglass::StaticStage     stage(*scene, material, walls, parameters, log);
     state = stage.run();

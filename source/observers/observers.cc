@@ -47,16 +47,18 @@ namespace Sandglass
 
 
   void
-  Observers::start(ParticleStage                &stage,
-                   const std::vector<WallForce> *static_wall_forces)
+  Observers::start(ParticleStage &stage, const StaticState *static_state)
   {
+    if (static_state)
+      summary.static_effort = static_state->effort;
     {
       TimerOutput::Scope scope(timings, Timing::output);
       open_files();
       observe_history(stage, true);
       summary.n_particles  = summary.totals.n_particles;
       summary.initial_mass = summary.totals.mass();
-      observe_fields(stage, static_wall_forces);
+      observe_fields(stage,
+                     static_state ? &static_state->wall_forces : nullptr);
     }
     write_summary("running");
     progress.start(stage.clock.time);
@@ -79,6 +81,7 @@ namespace Sandglass
   {
     before.finish_writing();
     go_on_from(before.archived(), stage);
+    summary.static_effort = before.summary.static_effort;
     progress.go_on_from(before.progress);
   }
 

@@ -31,6 +31,21 @@ namespace Sandglass
 
 
   void
+  Summary::add_static_effort(JsonObject &json) const
+  {
+    const auto count = [](const unsigned int n) -> unsigned long { return n; };
+    json.add("static_unknowns", count(static_effort->n_unknowns));
+    json.add("static_solver",
+             std::string(static_effort->is_direct ? "direct" : "multigrid"));
+    json.add("static_newton_iterations",
+             count(static_effort->n_newton_iterations));
+    json.add("static_linear_iterations",
+             count(static_effort->n_linear_iterations));
+  }
+
+
+
+  void
   Summary::add_flow(JsonObject &json) const
   {
     json.add("flow_rate_plateau_kg_per_s", flow.plateau);
@@ -70,6 +85,8 @@ namespace Sandglass
     json.add("loop_seconds", loop_seconds);
     json.add("output_seconds", Timing::seconds(timings, Timing::output));
     json.add("particle_steps_per_second", totals.particle_steps / loop_seconds);
+    if (static_effort)
+      add_static_effort(json);
     json.add("peak_rss_MiB", peak_memory);
     json.add("mass_initial_kg", initial_mass);
     json.add("mass_in_silo_kg", totals.mass_in_silo);

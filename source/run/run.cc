@@ -50,9 +50,9 @@ namespace Sandglass
 
 
 
-    /// Find the state at rest and carry it to the particles; returns the forces
-    /// on the walls, or nothing where the parameters leave this stage out.
-    std::optional<std::vector<WallForce>>
+    /// Find the state at rest and carry it to the particles; returns it, or
+    /// nothing where the parameters leave this stage out.
+    std::optional<StaticState>
     rest(const Parameters &parameters,
          ParticleStage    &stage,
          Log              &log,
@@ -66,7 +66,7 @@ namespace Sandglass
                                parameters.walls,
                                parameters.static_stage,
                                log.stream());
-      const StaticState  state = static_stage.run();
+      StaticState        state = static_stage.run();
       carry_to_particles(state,
                          stage,
                          parameters.static_stage.displaces_particles);
@@ -76,7 +76,7 @@ namespace Sandglass
           TimerOutput::Scope output_scope(timings, Timing::output);
           static_stage.write_vtu(parameters.output.directory);
         }
-      return state.wall_forces;
+      return state;
     }
 
 
@@ -145,10 +145,10 @@ namespace Sandglass
           part->observers.resume(*part->stage, *checkpoint);
         else
           {
-            const auto wall_forces =
+            const auto static_state =
               rest(parameters, *part->stage, log, timings);
             part->observers.start(*part->stage,
-                                  wall_forces ? &*wall_forces : nullptr);
+                                  static_state ? &*static_state : nullptr);
           }
         for (flow(*part, timings); !part->stage->is_finished();
              flow(*part, timings))

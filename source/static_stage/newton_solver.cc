@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace Sandglass
 {
@@ -58,6 +59,16 @@ namespace Sandglass
     {
       return std::min(0.1, std::sqrt(residual_norm));
     }
+
+
+
+    std::unique_ptr<TangentPreconditioner>
+    make_preconditioner(const FilledGrid &grid, const TangentMatrix &tangent)
+    {
+      if (tangent.storage == TangentMatrix::Storage::columns)
+        return std::make_unique<TangentFactors>(tangent);
+      return std::make_unique<TangentMultigrid>(grid, tangent);
+    }
   } // namespace
 
 
@@ -70,8 +81,11 @@ namespace Sandglass
     , equilibrium(equilibrium)
     , contact(contact)
     , parameters(parameters)
-    , tangent(grid, TangentMatrix::Storage::columns)
-    , tangent_solver(tangent)
+    , tangent(grid,
+              grid.dof_handler.n_dofs() <= parameters.most_direct_unknowns ?
+                TangentMatrix::Storage::columns :
+                TangentMatrix::Storage::rows)
+    , tangent_solver(tangent, make_preconditioner(grid, tangent))
     , forces(grid.make_vector())
     , residual(grid.make_vector())
     , step(grid.make_vector())
@@ -174,6 +188,17 @@ namespace Sandglass
     this->displacement_before = &displacement_before;
     this->load_share          = load_share;
 
+    const unsigned int n_before = tangent_solver.n_iterations();
+    Result             result   = iterate(increment);
+    result.n_linear_iterations  = tangent_solver.n_iterations() - n_before;
+    return result;
+  }
+
+
+
+  NewtonSolver::Result
+  NewtonSolver::iterate(Vector &increment)
+  {
     ElasticShare elastic_share;
     double       norm = evaluate(increment);
     for (unsigned int i = 0;; ++i)
@@ -183,12 +208,12 @@ namespace Sandglass
             if (contact.update_contact(load_share) > 0)
               norm = evaluate(increment);
             else if (norm < parameters.relative_residual)
-              return {true, i, norm};
+              return {true, i, 0, norm};
           }
 
         if (i == parameters.maximum_iterations || !std::isfinite(norm) ||
             !find_step(elastic_share.value(), norm))
-          return {false, i, norm};
+          return {false, i, 0, norm};
 
         const double factor = search_line(increment, norm);
         // The elastic step is the last resort: follow it even uphill.

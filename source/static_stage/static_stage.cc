@@ -122,7 +122,10 @@ namespace Sandglass
               material.elasticity.confined_modulus())
     , solver(grid, equilibrium, contact, parameters)
     , displacement(grid.make_vector())
-  {}
+  {
+    effort.n_unknowns = grid.dof_handler.n_dofs();
+    effort.is_direct  = solver.is_direct();
+  }
 
 
 
@@ -132,6 +135,8 @@ namespace Sandglass
     if (equilibrium.weight().l2_norm() == 0.)
       return make_state();
 
+    log << "Static stage: " << effort.n_unknowns << " unknowns, "
+        << (effort.is_direct ? "direct solver" : "multigrid") << std::endl;
     const double largest_step = 1. / parameters.n_load_steps;
     double       load = 0., step = largest_step;
     Predictor    predictor(displacement);
@@ -142,10 +147,7 @@ namespace Sandglass
         const NewtonSolver::Result result =
           solver.solve(displacement, load + this_step, increment);
 
-        log << "Load step to " << load + this_step
-            << " of the weight: " << result.n_iterations
-            << " iterations, residual " << result.residual
-            << (result.has_converged ? "" : ", not converged") << std::endl;
+        count(load + this_step, result);
         if (result.has_converged)
           {
             accept(increment);
@@ -162,6 +164,21 @@ namespace Sandglass
           }
       }
     return make_state();
+  }
+
+
+
+  void
+  StaticStage::count(const double                load_share,
+                     const NewtonSolver::Result &result)
+  {
+    effort.n_newton_iterations += result.n_iterations;
+    effort.n_linear_iterations += result.n_linear_iterations;
+    log << "Load step to " << load_share
+        << " of the weight: " << result.n_iterations << " iterations ("
+        << result.n_linear_iterations << " linear), residual "
+        << result.residual << (result.has_converged ? "" : ", not converged")
+        << std::endl;
   }
 
 
@@ -184,6 +201,7 @@ namespace Sandglass
     StaticState state;
     state.cells.resize(scene.triangulation.n_active_cells());
     state.wall_forces = contact.wall_forces();
+    state.effort      = effort;
 
     auto scene_cell = scene.triangulation.begin_active();
     for (const auto &cell : grid.dof_handler.active_cell_iterators())

@@ -45,5 +45,15 @@ namespace Sandglass
                "1",
                "Share of gravity below which a load step is not cut further: "
                "the run stops.");
+    add_integer(
+      *this,
+      "Direct solver up to",
+      most_direct_unknowns,
+      0,
+      100000000,
+      "Number of unknowns, two at each node of the filled mesh, up to "
+      "which Newton's linear equations are solved by factors. Beyond "
+      "it they are by iterations with multigrid, which take less time "
+      "and memory for many unknowns, and which ranks share.");
   }
 } // namespace Sandglass

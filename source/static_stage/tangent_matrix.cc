@@ -32,8 +32,8 @@ namespace Sandglass
 
 
   TangentMatrix::TangentMatrix(const FilledGrid &grid, const Storage storage)
-    : sparse_matrix(make_sparsity(grid))
-    , storage(storage)
+    : storage(storage)
+    , sparse_matrix(make_sparsity(grid))
     , dofs_per_cell(grid.finite_element.n_dofs_per_cell())
   {
     const int status =

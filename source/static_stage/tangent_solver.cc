@@ -1,39 +1,26 @@
+#include <deal.II/base/mpi.h>
+
 #include <sandglass/static_stage/tangent_solver.h>
 
-#include <Amesos.h>
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Vector.h>
-#include <Teuchos_ParameterList.hpp>
-
 #include <cmath>
+#include <numeric>
 
 namespace Sandglass
 {
   namespace
   {
-    /// New factors cost about as much as so many iterations.
-    constexpr unsigned int factorization_cost = 14;
+    /// After so many directions the method forgets them, and begins anew.
+    constexpr unsigned int most_improvements = 40;
   } // namespace
 
 
 
-  TangentSolver::TangentSolver(const TangentMatrix &tangent)
+  TangentSolver::TangentSolver(
+    const TangentMatrix                   &tangent,
+    std::unique_ptr<TangentPreconditioner> preconditioner)
     : tangent(tangent)
-    , problem(std::make_unique<Epetra_LinearProblem>())
-  {
-    // Amesos only reads the matrix, but asks for one that it could change.
-    problem->SetOperator(const_cast<Epetra_CrsMatrix *>(
-      &tangent.stored_matrix().trilinos_matrix()));
-    factors.reset(Amesos().Create("Amesos_Klu", *problem));
-    AssertThrow(factors, ExcMessage("This Trilinos has no Amesos_Klu."));
-
-    Teuchos::ParameterList settings;
-    settings.set("Refactorize", true);
-    factors->SetParameters(settings);
-    factors->SetUseTranspose(true);
-    const int status = factors->SymbolicFactorization();
-    AssertThrow(status == 0, ExcTrilinosError(status));
-  }
+    , preconditioner(std::move(preconditioner))
+  {}
 
 
 
@@ -42,13 +29,13 @@ namespace Sandglass
                        const double  tolerance,
                        Vector       &solution)
   {
-    // The factors age. New ones are due when the last solution took more
-    // iterations than one does on average, the factors' cost shared out.
-    const bool is_due =
-      last_iterations * n_solutions > factorization_cost + n_iterations;
-    if (has_factors && !is_due && iterate(right_side, tolerance, solution))
+    // The preconditioner ages. An update is due when the last solution took
+    // more iterations than one does on average, the update's cost shared out.
+    const bool is_due = last_iterations * n_solutions >
+                        preconditioner->update_cost + n_their_iterations;
+    if (is_updated && !is_due && iterate(right_side, tolerance, solution))
       return true;
-    return factorize() && iterate(right_side, tolerance, solution);
+    return update() && iterate(right_side, tolerance, solution);
   }
 
 
@@ -63,33 +50,12 @@ namespace Sandglass
     residual            = right_side;
     const double target = tolerance * right_side.l2_norm();
     unsigned int n      = 0;
-    for (; !(residual.l2_norm() <= target); ++n)
-      {
-        if (n == factorization_cost)
-          return false;
-        if (n == improvements.size())
-          improvements.push_back({right_side, right_side});
-        auto &[direction, image] = improvements[n];
-        apply_factors(residual, direction);
-        tangent.vmult(image, direction);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const double share = image * improvements[i].image;
-            direction.add(-share, improvements[i].direction);
-            image.add(-share, improvements[i].image);
-          }
-        const double norm = image.l2_norm();
-        if (!(norm > 0.) || !std::isfinite(norm))
-          return false;
-        direction /= norm;
-        image /= norm;
-
-        const double factor = residual * image;
-        solution.add(factor, direction);
-        residual.add(-factor, image);
-      }
+    for (; !(residual.l2_norm() <= target); ++n, ++n_all_iterations)
+      if (n == preconditioner->most_iterations ||
+          !improve(n % most_improvements, solution))
+        return false;
     last_iterations = n;
-    n_iterations += n;
+    n_their_iterations += n;
     ++n_solutions;
     return true;
   }
@@ -97,27 +63,47 @@ namespace Sandglass
 
 
   bool
-  TangentSolver::factorize()
+  TangentSolver::improve(const unsigned int n, Vector &solution)
   {
-    has_factors  = factors->NumericFactorization() == 0;
-    n_iterations = n_solutions = last_iterations = 0;
-    return has_factors;
+    if (n == improvements.size())
+      improvements.push_back({residual, residual});
+    auto &[direction, image] = improvements[n];
+    preconditioner->vmult(direction, residual);
+    tangent.vmult(image, direction);
+    // In one sum over the ranks: the classical Gram-Schmidt method, exact
+    // enough for so few directions. The residual remains that of the solution
+    // anyway.
+    std::vector<double> shares(n);
+    for (unsigned int i = 0; i < n; ++i)
+      shares[i] = std::inner_product(image.begin(),
+                                     image.end(),
+                                     improvements[i].image.begin(),
+                                     0.);
+    Utilities::MPI::sum(shares, image.get_mpi_communicator(), shares);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        direction.add(-shares[i], improvements[i].direction);
+        image.add(-shares[i], improvements[i].image);
+      }
+    const double norm = image.l2_norm();
+    if (!(norm > 0.) || !std::isfinite(norm))
+      return false;
+    direction /= norm;
+    image /= norm;
+
+    const double factor = residual * image;
+    solution.add(factor, direction);
+    residual.add(-factor, image);
+    return true;
   }
 
 
 
-  void
-  TangentSolver::apply_factors(const Vector &right_side, Vector &solution) const
+  bool
+  TangentSolver::update()
   {
-    const Epetra_CrsMatrix &crs_matrix =
-      tangent.stored_matrix().trilinos_matrix();
-    Epetra_Vector x(View, crs_matrix.DomainMap(), solution.begin());
-    Epetra_Vector b(View,
-                    crs_matrix.RangeMap(),
-                    const_cast<double *>(right_side.begin()));
-    problem->SetLHS(&x);
-    problem->SetRHS(&b);
-    const int status = factors->Solve();
-    AssertThrow(status == 0, ExcTrilinosError(status));
+    is_updated  = preconditioner->update();
+    n_solutions = n_their_iterations = last_iterations = 0;
+    return is_updated;
   }
 } // namespace Sandglass

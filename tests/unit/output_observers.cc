@@ -153,15 +153,23 @@ namespace
 
 
 
-  TEST(Observers, static_forces_give_tractions_at_the_start)
+  TEST(Observers, static_state_gives_tractions_and_effort_at_the_start)
   {
     SmallSilo silo;
     silo.stage.end_time = 0.;
-    SmallRun run(silo);
-    auto     forces = run.stage->contact.take_mean_forces();
-    for (auto &force : forces)
+    SmallRun    run(silo);
+    StaticState state;
+    state.wall_forces = run.stage->contact.take_mean_forces();
+    for (auto &force : state.wall_forces)
       force.normal_force = 500. * force.tributary_area;
-    run.run(1e300, &forces);
+    state.effort = {90, false, 7, 30};
+    run.run(1e300, &state);
+
+    const auto summary = read_json(silo.output.directory + "/summary.json");
+    EXPECT_EQ(summary.get<unsigned int>("static_unknowns"), 90);
+    EXPECT_EQ(summary.get<std::string>("static_solver"), "multigrid");
+    EXPECT_EQ(summary.get<unsigned int>("static_newton_iterations"), 7);
+    EXPECT_EQ(summary.get<unsigned int>("static_linear_iterations"), 30);
 
     const auto walls = read_lines(silo.output.directory + "/wall_traction.csv");
     ASSERT_EQ(walls.size(), 1 + 12);

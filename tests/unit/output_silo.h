@@ -101,11 +101,11 @@ namespace Sandglass
 
     /// Run from the start to `end_time`, or if that is less, to the end.
     void
-    run(const double                  end_time           = 1e300,
-        const std::vector<WallForce> *static_wall_forces = nullptr)
+    run(const double       end_time     = 1e300,
+        const StaticState *static_state = nullptr)
     {
       prepare_output_directory(silo.output, false, silo.communicator, log);
-      observers.start(*stage, static_wall_forces);
+      observers.start(*stage, static_state);
       go_on(end_time);
     }
 

@@ -9,6 +9,7 @@
 #include <sandglass/observers/summary.h>
 #include <sandglass/observers/timing.h>
 #include <sandglass/observers/wall_tractions.h>
+#include <sandglass/static_stage/static_state.h>
 
 namespace Sandglass
 {
@@ -35,12 +36,11 @@ namespace Sandglass
     /**
      * Write the state at t = 0. Collective.
      *
-     * @param static_wall_forces  of the state at rest at this rank's nodes, or
-     *                            a null pointer if it was not computed.
+     * @param static_state  the state at rest, or a null pointer if it was not
+     *                      computed.
      */
     void
-    start(ParticleStage                &stage,
-          const std::vector<WallForce> *static_wall_forces);
+    start(ParticleStage &stage, const StaticState *static_state);
 
     /**
      * Instead of start(): put the stage into the state of a checkpoint, and go

@@ -4,7 +4,9 @@
 #include <sandglass/observers/flow_summary.h>
 #include <sandglass/observers/json_object.h>
 #include <sandglass/observers/particle_totals.h>
+#include <sandglass/static_stage/static_state.h>
 
+#include <optional>
 #include <string>
 
 namespace Sandglass
@@ -19,6 +21,9 @@ namespace Sandglass
     Clock          clock;
     ParticleTotals totals;
     double         initial_mass = 0.; ///< in kg
+
+    /// Of this process: none after a restart.
+    std::optional<StaticState::Effort> static_effort;
 
     /// Whether material can leave.
     bool        has_flow_rate = false;
@@ -48,6 +53,8 @@ namespace Sandglass
             const TimerOutput &timings) const;
 
   private:
+    void
+    add_static_effort(JsonObject &json) const;
     void
     add_flow(JsonObject &json) const;
   };

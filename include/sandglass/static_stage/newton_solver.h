@@ -30,6 +30,7 @@ namespace Sandglass
     {
       bool         has_converged;
       unsigned int n_iterations;
+      unsigned int n_linear_iterations; ///< of the TangentSolver
       double       residual;
     };
 
@@ -44,7 +45,18 @@ namespace Sandglass
           const double  load_share,
           Vector       &increment);
 
+    /// Whether tangents are factorized, or inverted approximately.
+    bool
+    is_direct() const
+    {
+      return tangent.storage == TangentMatrix::Storage::columns;
+    }
+
   private:
+    /// The iterations, without a count of linear ones.
+    Result
+    iterate(Vector &increment);
+
     /// Bring all state to an iterate; returns the residual.
     double
     evaluate(const Vector &increment);

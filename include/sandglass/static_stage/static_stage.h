@@ -22,7 +22,7 @@ namespace Sandglass
   class StaticStage
   {
   public:
-    /// Logs one line per load step.
+    /// Logs the number of unknowns, and one line per load step.
     StaticStage(const Scene                 &scene,
                 const MaterialParameters    &material_parameters,
                 const WallParameters        &wall_parameters,
@@ -45,6 +45,9 @@ namespace Sandglass
   private:
     using Vector = FilledGrid::Vector;
 
+    /// Log a load step, and add it to the effort.
+    void
+    count(const double load_share, const NewtonSolver::Result &result);
     void
     accept(Vector &increment);
     StaticState
@@ -60,6 +63,7 @@ namespace Sandglass
     WallContact         contact;
     NewtonSolver        solver;
     Vector              displacement; ///< since the unloaded state
+    StaticState::Effort effort;
   };
 } // namespace Sandglass
 

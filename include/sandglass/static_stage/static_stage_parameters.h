@@ -21,6 +21,8 @@ namespace Sandglass
     unsigned int maximum_iterations = 100;
     /// Shares of the whole load below which a load step is not cut further.
     double smallest_load_step = 1e-3;
+    /// Beyond that, tangents are inverted by multigrid.
+    unsigned int most_direct_unknowns = 20000;
   };
 } // namespace Sandglass
 

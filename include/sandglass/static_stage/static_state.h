@@ -35,6 +35,16 @@ namespace Sandglass
 
     /// Of the nodes that this rank owns.
     std::vector<WallForce> wall_forces;
+
+    /// What it took to find the state, on all ranks together.
+    struct Effort
+    {
+      unsigned int n_unknowns          = 0;
+      bool         is_direct           = true; ///< by factors, not multigrid
+      unsigned int n_newton_iterations = 0;
+      unsigned int n_linear_iterations = 0;
+    };
+    Effort effort;
   };
 } // namespace Sandglass
 

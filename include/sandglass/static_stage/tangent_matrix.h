@@ -35,6 +35,8 @@ namespace Sandglass
 
     TangentMatrix(const TangentMatrix &) = delete;
 
+    const Storage storage;
+
     void
     set_zero();
 
@@ -68,7 +70,6 @@ namespace Sandglass
                   types::global_dof_index column) const;
 
     TrilinosWrappers::SparseMatrix sparse_matrix;
-    const Storage                  storage;
     const unsigned int             dofs_per_cell;
     /// Trilinos' arrays: beginnings of rows, columns and values of entries.
     int    *row_begins = nullptr, *columns = nullptr;
