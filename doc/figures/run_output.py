@@ -54,6 +54,16 @@ def discharge_time(directory):
     return None
 
 
+def time_until(directory, share):
+    """When this share of the mass has passed the outlet, in s."""
+    table = read_table(directory, "flow_rate.csv")
+    masses, times = table["discharged_mass_kg"], table["time_s"]
+    target = share * read_summary(directory)["mass_initial_kg"]
+    after = next(i for i, mass in enumerate(masses) if mass >= target)
+    part = (target - masses[after - 1]) / (masses[after] - masses[after - 1])
+    return times[after - 1] + part * (times[after] - times[after - 1])
+
+
 def largest(directory, column):
     values = read_table(directory, "history.csv")[column]
     return max(value for value in values if not math.isnan(value))

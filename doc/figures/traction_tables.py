@@ -46,6 +46,18 @@ def wall_force(directory, time):
                            if row["wall"] == "wall"], "normal_Pa")
 
 
+def mean_wall_force(directory, start, end):
+    """The same, mean over a stretch of time. Each output is a mean over the
+    time since the one before."""
+    times = sorted(set(run_output.read_table(directory,
+                                             "wall_traction.csv")["time_s"]))
+    stretches = {end_of_output: min(end, end_of_output) - max(start, before)
+                 for before, end_of_output in zip(times, times[1:])}
+    weights = {time: weight for time, weight in stretches.items() if weight > 0}
+    return (sum(weight * wall_force(directory, time)
+                for time, weight in weights.items()) / sum(weights.values()))
+
+
 def tractions(name, times):
     """Normal / tangential means in kPa."""
     if not run_output.has_ended(OUTPUT / name):

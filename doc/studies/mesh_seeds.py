@@ -1,18 +1,25 @@
 """How far the results of mesh 3 depend on the mesh generator's algorithm and
 random numbers."""
 import run_output
+from outlet_sweep import mean_rate
 from plots import STYLE, plt, save
 from runs import make_all
 from seed_cases import (ALGORITHMS, CASES, END_TIMES, NAME, SEEDS, runs,
                         seed_run)
+from sweep_cases import WINDOW, outlet_time
 from tables import markdown, number
-from traction_tables import wall_force
+from traction_tables import mean_wall_force, wall_force
+from work_cases import SILOS as WORK_SILOS
 
 QUANTITIES = {
     "steady_flow_rate_kg_per_s": "steady flow rate, kg/(s m) or kg/s",
+    "window_flow_rate_kg_per_s": "flow rate from 3 to 5 √(D/g), "
+                                 "kg/(s m) or kg/s",
     "flow_rate_plateau_kg_per_s": "plateau, kg/(s m) or kg/s",
+    "tenth_time_s": "time for a tenth of the material, s",
     "discharge_time_s": "discharge time, s",
-    "wall_pressure_at_rest_N_per_m": "wall pressure at rest, N/m",
+    "wall_force_at_rest_N": "wall force at rest, N/m or N",
+    "wall_force_in_flow_N": "wall force in flow, N/m or N",
 }
 ALGORITHM_COLORS = {"Frontal-Delaunay": "#1d3557", "Delaunay": "#c9822a"}
 
@@ -36,16 +43,22 @@ def results():
 
 def measured(silo, directory):
     summary = run_output.read_summary(directory)
+    unit = outlet_time(WORK_SILOS[silo.split("-")[0]].outlet)
     return {
         "cells": summary["cells"],
         "steady_flow_rate_kg_per_s": summary["steady_flow_rate_kg_per_s"],
+        "window_flow_rate_kg_per_s": mean_rate(
+            run_output.read_table(directory, "flow_rate.csv"), unit, *WINDOW),
         # The middle half of the discharged mass moves with the end.
         "flow_rate_plateau_kg_per_s":
             None if silo in END_TIMES
             else summary["flow_rate_plateau_kg_per_s"],
+        "tenth_time_s": run_output.time_until(directory, 0.1),
         "discharge_time_s": (summary["discharge_time_s"]
                              if silo == "plane-hopper" else None),
-        "wall_pressure_at_rest_N_per_m": wall_force(directory, 0)}
+        "wall_force_at_rest_N": wall_force(directory, 0),
+        "wall_force_in_flow_N": mean_wall_force(
+            directory, *(time * unit for time in WINDOW))}
 
 
 def spread(values):
@@ -93,13 +106,15 @@ def parts(rows):
 def draw(rows):
     """Each mesh's result over the mean of its silo."""
     with plt.rc_context(STYLE):
-        figure, panels = plt.subplots(1, len(QUANTITIES), figsize=(13, 3.2),
-                                      sharey=True, layout="constrained")
-        for axes, (quantity, title) in zip(panels, QUANTITIES.items()):
+        figure, panels = plt.subplots(2, 4, figsize=(13, 6), sharey=True,
+                                      layout="constrained")
+        for axes, (quantity, title) in zip(panels.flat, QUANTITIES.items()):
             draw_quantity(axes, rows, quantity)
             axes.set_title(title.split(",")[0], fontsize=11)
-        panels[0].set_ylabel("result over its mean")
-        panels[0].legend(*legend_of(panels[0]), frameon=False, fontsize=8)
+        for axes in panels[:, 0]:
+            axes.set_ylabel("result over its mean")
+        panels[-1, -1].axis("off")
+        panels[-1, -1].legend(*legend_of(panels[0, 0]), frameon=False)
         save(figure, NAME + ".png")
 
 

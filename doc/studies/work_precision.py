@@ -47,15 +47,6 @@ def row_of(key, method, element):
     return row
 
 
-def time_until(directory, table, share):
-    """When this share of the mass has passed the outlet, in s."""
-    masses, times = table["discharged_mass_kg"], table["time_s"]
-    target = share * run_output.read_summary(directory)["mass_initial_kg"]
-    after = next(i for i, mass in enumerate(masses) if mass >= target)
-    part = (target - masses[after - 1]) / (masses[after] - masses[after - 1])
-    return times[after - 1] + part * (times[after] - times[after - 1])
-
-
 def measured(key, directory):
     """The rate in kg/s, wall forces in N; plane: per metre."""
     unit = outlet_time(SILOS[key].outlet)
@@ -63,7 +54,7 @@ def measured(key, directory):
     times = [step * unit for step in range(int(WINDOW[0]) + 1,
                                            int(WINDOW[1]) + 1)]
     return {"flow_rate": mean_rate(table, unit, *WINDOW),
-            "tenth_time": time_until(directory, table, 0.1),
+            "tenth_time": run_output.time_until(directory, 0.1),
             "wall_at_rest": wall_force(directory, 0.),
             "wall_in_flow": (sum(wall_force(directory, time)
                                  for time in times) / len(times))}
