@@ -24,7 +24,7 @@ COMPONENTS = 7 + 2 + 2 + 2 + 7 * 5 * 2 / 20
 # All-reductions: local eigenvalue, faults, the handover of particles; two in
 # each iteration.
 REDUCTIONS = 3 + 7 * 2 / 20
-# Loops over all elements of the mesh in search of those with particles.
+# Loops over a rank's elements in search of those with particles.
 SCANS = 3 + 7 * 2 / 20
 SCAN_TIME = 3e-10  # s for each element
 
@@ -40,7 +40,7 @@ def step_time(all_particles, ranks, particle_time):
     """Work, scans and communication in s."""
     own = all_particles / ranks
     work = own * particle_time
-    scans = SCANS * SCAN_TIME * all_particles / PARTICLES_PER_ELEMENT
+    scans = SCANS * SCAN_TIME * own / PARTICLES_PER_ELEMENT
     if ranks == 1:
         return work, scans, 0.
     communication = (EXCHANGES * LATENCY * math.sqrt(NEIGHBORS) +
