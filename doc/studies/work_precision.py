@@ -1,4 +1,5 @@
 """Time and particle-steps against the error of what users ask for."""
+import run_out
 import run_output
 from outlet_sweep import mean_rate
 from plots import STYLE, plt, save
@@ -6,8 +7,9 @@ from runs import make_all
 from sweep_cases import WINDOW, outlet_time
 from tables import markdown, number
 from traction_tables import wall_force
-from work_cases import (BY_PARTICLES, METHODS, NAME, REFERENCES, SILOS, cases,
-                        runs, work_run)
+from work_cases import (BY_PARTICLES, METHODS, NAME, SILOS, cases, runs,
+                        work_run)
+from work_rows import error_of, references, signed_percent, work, work_row
 
 QUANTITIES = {"flow_rate": "flow rate",
               "tenth_time": "time for a tenth of the material",
@@ -23,28 +25,20 @@ COLORS = {"paper": "#9b2226", "free": "#c9822a", "averaged": "#b8a13a",
 
 def make_runs():
     make_all(runs())
+    run_out.make_runs()
 
 
 def results():
     return [row_of(*case) for case in cases()
-            if run_output.has_ended(work_run(*case).directory)]
+            if run_output.has_ended(work_run(*case).directory)] + \
+        run_out.results()
 
 
 def row_of(key, method, element):
-    directory = work_run(key, method, element).directory
-    summary = run_output.read_summary(directory)
-    row = {"silo": key, "method": method, "element_m": element,
-           "mesh": SILOS[key].elements.index(element) + 1,
-           "status": summary["status"],
-           "steps": summary["steps"],
-           "particle_steps": summary["particle_steps"],
-           "loop_seconds": summary["loop_seconds"],
-           "all_seconds": sum(summary[part + "_seconds"] for part in
-                              ("setup", "static", "loop")),
-           **{quantity: None for quantity in QUANTITIES}}
-    if summary["status"] == "finished":
-        row.update(measured(key, directory))
-    return row
+    mesh = SILOS[key].elements.index(element) + 1
+    return work_row(key, method, element, mesh,
+                    work_run(key, method, element).directory,
+                    lambda directory: measured(key, directory))
 
 
 def measured(key, directory):
@@ -58,24 +52,6 @@ def measured(key, directory):
             "wall_at_rest": wall_force(directory, 0.),
             "wall_in_flow": (sum(wall_force(directory, time)
                                  for time in times) / len(times))}
-
-
-def references(rows, key, quantity):
-    """What the reference methods give on their two finest meshes: mean of the
-    finest, and half the range of all as its uncertainty."""
-    chosen = [row for row in rows if row["silo"] == key and
-              row["method"] in REFERENCES and row["mesh"] >= 2 and
-              row[quantity] is not None]
-    finest = [row[quantity] for row in chosen if row["mesh"] ==
-              max(other["mesh"] for other in chosen)]
-    every = [row[quantity] for row in chosen]
-    return sum(finest) / len(finest), 0.5 * (max(every) - min(every))
-
-
-def error_of(rows, row, quantity):
-    if row[quantity] is None:
-        return None
-    return row[quantity] / references(rows, row["silo"], quantity)[0] - 1.
 
 
 def reference(rows):
@@ -119,19 +95,13 @@ def by_method(rows, key, cell):
                     lines)
 
 
-def signed_percent(error):
-    return "breaks down" if error is None else f"{100 * error:+.1f} %"
-
-
 def errors(rows, key, quantity="flow_rate"):
     return by_method(rows, key, lambda row: signed_percent(
         error_of(rows, row, quantity)))
 
 
 def cost(rows, key):
-    return by_method(rows, key, lambda row:
-                     f"{row['particle_steps'] / 1e6:.3g} M, "
-                     f"{row['all_seconds']:.2g} s")
+    return by_method(rows, key, work)
 
 
 def others(rows):
@@ -215,7 +185,7 @@ def axis(rows):
 def parts(rows):
     tables = {"reference": reference(rows), "others": others(rows),
               "noise": noise(rows), "graded": graded(rows),
-              "axis": axis(rows)}
+              "axis": axis(rows), **run_out.parts(rows)}
     for key in SILOS:
         for table in (errors, cost, within):
             tables[f"{table.__name__}-{key}"] = table(rows, key)
