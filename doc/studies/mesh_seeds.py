@@ -4,8 +4,9 @@ import run_output
 from outlet_sweep import mean_rate
 from plots import STYLE, plt, save
 from runs import make_all
-from seed_cases import (ALGORITHMS, CASES, END_TIMES, NAME, SEEDS, runs,
-                        seed_run)
+from run_out import run_out
+from seed_cases import (ALGORITHMS, CASES, COLUMN_CASES, END_TIMES, NAME, cases,
+                        make_column_meshes, runs, seed_run)
 from sweep_cases import WINDOW, outlet_time
 from tables import markdown, number
 from traction_tables import mean_wall_force, wall_force
@@ -20,32 +21,34 @@ QUANTITIES = {
     "discharge_time_s": "discharge time, s",
     "wall_force_at_rest_N": "wall force at rest, N/m or N",
     "wall_force_in_flow_N": "wall force in flow, N/m or N",
+    "run_out": "run-out over r₀",
 }
 ALGORITHM_COLORS = {"Frontal-Delaunay": "#1d3557", "Delaunay": "#c9822a"}
 
 
 def make_runs():
+    make_column_meshes()
     make_all(runs())
 
 
 def results():
-    rows = []
-    for silo in CASES:
-        for algorithm in ALGORITHMS:
-            for seed in SEEDS:
-                run = seed_run(silo, algorithm, seed)
-                if run_output.has_ended(run.directory):
-                    rows.append({"silo": silo, "algorithm": algorithm,
-                                 "seed": seed,
-                                 **measured(silo, run.directory)})
-    return rows
+    return [row_of(*case) for case in cases()
+            if run_output.has_ended(seed_run(*case).directory)]
 
 
-def measured(silo, directory):
+def row_of(name, algorithm, seed):
+    directory = seed_run(name, algorithm, seed).directory
+    measured = ({"run_out": run_out(directory)} if name in COLUMN_CASES else
+                of_silo(name, directory))
+    return {"case": name, "algorithm": algorithm, "seed": seed,
+            "cells": run_output.read_summary(directory)["cells"],
+            **{quantity: measured.get(quantity) for quantity in QUANTITIES}}
+
+
+def of_silo(silo, directory):
     summary = run_output.read_summary(directory)
     unit = outlet_time(WORK_SILOS[silo.split("-")[0]].outlet)
     return {
-        "cells": summary["cells"],
         "steady_flow_rate_kg_per_s": summary["steady_flow_rate_kg_per_s"],
         "window_flow_rate_kg_per_s": mean_rate(
             run_output.read_table(directory, "flow_rate.csv"), unit, *WINDOW),
@@ -66,8 +69,8 @@ def spread(values):
     return (max(values) - min(values)) / (sum(values) / len(values))
 
 
-def values_of(rows, silo, quantity, algorithms=ALGORITHMS):
-    return [row[quantity] for row in rows if row["silo"] == silo and
+def values_of(rows, name, quantity, algorithms=ALGORITHMS):
+    return [row[quantity] for row in rows if row["case"] == name and
             row["algorithm"] in algorithms and row[quantity] is not None]
 
 
@@ -77,25 +80,25 @@ def percent(values):
 
 def spreads(rows):
     lines = []
-    for silo in CASES:
+    for name, case in CASES.items():
         for quantity, title in QUANTITIES.items():
-            values = values_of(rows, silo, quantity)
+            values = values_of(rows, name, quantity)
             if values:
                 lines.append(
-                    [CASES[silo], title, len(values),
+                    [case, title, len(values),
                      number(sum(values) / len(values)),
-                     *(percent(values_of(rows, silo, quantity, (algorithm,)))
+                     *(percent(values_of(rows, name, quantity, (algorithm,)))
                        for algorithm in ALGORITHMS), percent(values)])
-    return markdown(["silo, mesh 3", "quantity", "meshes", "mean",
+    return markdown(["case", "quantity", "meshes", "mean",
                      *(f"spread, {name}" for name in ALGORITHMS),
                      "spread, all"], lines)
 
 
 def meshes(rows):
-    lines = [[CASES[row["silo"]], row["algorithm"], row["seed"],
+    lines = [[CASES[row["case"]], row["algorithm"], row["seed"],
               row["cells"], *(number(row[quantity])
                               for quantity in QUANTITIES)] for row in rows]
-    return markdown(["silo, mesh 3", "algorithm", "seed", "elements",
+    return markdown(["case", "algorithm", "seed", "elements",
                      *QUANTITIES.values()], lines)
 
 
@@ -113,8 +116,7 @@ def draw(rows):
             axes.set_title(title.split(",")[0], fontsize=11)
         for axes in panels[:, 0]:
             axes.set_ylabel("result over its mean")
-        panels[-1, -1].axis("off")
-        panels[-1, -1].legend(*legend_of(panels[0, 0]), frameon=False)
+        panels[1, 0].legend(*legend_of(panels[0, 0]), frameon=False)
         save(figure, NAME + ".png")
 
 
@@ -126,16 +128,17 @@ def legend_of(axes):
 
 def draw_quantity(axes, rows, quantity):
     axes.axhspan(0.985, 1.015, color="#dddddd", linewidth=0)
-    for place, silo in enumerate(CASES):
-        values = values_of(rows, silo, quantity)
+    drawn = [name for name in CASES if values_of(rows, name, quantity)]
+    for place, name in enumerate(drawn):
+        values = values_of(rows, name, quantity)
         for i, algorithm in enumerate(ALGORITHMS):
-            own = values_of(rows, silo, quantity, (algorithm,))
+            own = values_of(rows, name, quantity, (algorithm,))
             axes.plot(len(own) * [place + 0.2 * i - 0.1],
                       [len(values) * value / sum(values) for value in own],
                       "o", markersize=4, color=ALGORITHM_COLORS[algorithm],
                       label=algorithm)
-    axes.set_xlim(-0.5, len(CASES) - 0.5)
-    axes.set_xticks(range(len(CASES)),
-                    [CASES[silo].replace(", ", "\n").replace(
-                        "axisymmetric", "axi-\nsymmetric")
-                     for silo in CASES], fontsize=6)
+    axes.set_xlim(-0.5, len(drawn) - 0.5)
+    axes.set_xticks(range(len(drawn)),
+                    [CASES[name].replace(", mesh 3", "").replace(
+                        ", ", "\n").replace("axisymmetric", "axi-\nsymmetric")
+                     for name in drawn], fontsize=6)
