@@ -55,7 +55,7 @@ def discharge_time(directory):
 
 
 def time_until(directory, share):
-    """When this share of the mass has passed the outlet, in s."""
+    """When this share of the mass has passed the outlet, in s; it must have."""
     table = read_table(directory, "flow_rate.csv")
     masses, times = table["discharged_mass_kg"], table["time_s"]
     target = share * read_summary(directory)["mass_initial_kg"]

@@ -10,7 +10,7 @@ from sweep_cases import GRAVITY
 
 GEOMETRY = pathlib.Path(__file__).with_name("column.geo")
 WIDTH = 0.1  # half width or radius, m
-ALGORITHMS = {"Frontal-Delaunay": 6, "Delaunay": 5}  # Gmsh's numbers
+GMSH_ALGORITHMS = {"Frontal-Delaunay": 6, "Delaunay": 5}  # their numbers
 
 
 class Column(NamedTuple):
@@ -25,9 +25,9 @@ class Column(NamedTuple):
         return self.aspect_ratio * WIDTH
 
 
-# Not taller: against a gate as rough as they are, columns find no state at rest
-# on some fine meshes, the axisymmetric one with a = 2 neither with triangles nor
-# with squares.
+# Not taller: against a gate as rough as they are, columns find no state at
+# rest on some fine meshes, the axisymmetric one with a = 2 neither with
+# triangles nor with squares.
 COLUMNS = {
     "plane-column-1": Column("plane, a = 1", "plane strain", 1., 3.8,
                              "1.2 a = 1.2"),
@@ -63,7 +63,7 @@ class ColumnMesh(NamedTuple):
                    "length": column.floor * WIDTH,
                    "top": 1.2 * column.height + 2. * size, "size": size}
         options = {**lengths, "squares": int(self.has_squares),
-                   "Mesh.Algorithm": ALGORITHMS[self.algorithm],
+                   "Mesh.Algorithm": GMSH_ALGORITHMS[self.algorithm],
                    "Mesh.RandomSeed": self.seed}
         self.file.parent.mkdir(parents=True, exist_ok=True)
         subprocess.run(["gmsh", str(GEOMETRY), "-2", "-v", "0", "-o",

@@ -1,12 +1,13 @@
 """The runs of the study of mesh seeds."""
-from column_cases import COLUMNS, ColumnMesh, column_run
+from column_cases import (COLUMNS, GMSH_ALGORITHMS, ColumnMesh,
+                          column_run)
 from study_runs import WITHOUT_FIELDS, auto_scene, study_run
 from runs import SILOS, Run, lip_run
 from tables import TITLES
 
 NAME = "mesh-seeds"
 SEEDS = (1, 2, 3)
-ALGORITHMS = ("Frontal-Delaunay", "Delaunay")
+ALGORITHMS = tuple(GMSH_ALGORITHMS)
 LIP_ON_FLOOR = "plane-flat-bottom-lip-on-floor"
 # Shorter than the scenes' own; long enough for the steady stretch.
 END_TIMES = {"axisymmetric-flat-bottom": 0.8, "axisymmetric-hopper": 0.8}

@@ -6,7 +6,7 @@ from plots import STYLE, plt, save
 from runs import make_all
 from sweep_cases import WINDOW, outlet_time
 from tables import markdown, number
-from traction_tables import wall_force
+from traction_tables import mean_wall_force, wall_force
 from work_cases import (BY_PARTICLES, METHODS, NAME, SILOS, cases, runs,
                         work_run)
 from work_rows import error_of, references, signed_percent, work, work_row
@@ -45,13 +45,11 @@ def measured(key, directory):
     """The rate in kg/s, wall forces in N; plane: per metre."""
     unit = outlet_time(SILOS[key].outlet)
     table = run_output.read_table(directory, "flow_rate.csv")
-    times = [step * unit for step in range(int(WINDOW[0]) + 1,
-                                           int(WINDOW[1]) + 1)]
     return {"flow_rate": mean_rate(table, unit, *WINDOW),
             "tenth_time": run_output.time_until(directory, 0.1),
             "wall_at_rest": wall_force(directory, 0.),
-            "wall_in_flow": (sum(wall_force(directory, time)
-                                 for time in times) / len(times))}
+            "wall_in_flow": mean_wall_force(
+                directory, *(time * unit for time in WINDOW))}
 
 
 def reference(rows):

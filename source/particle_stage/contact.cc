@@ -177,10 +177,10 @@ namespace Sandglass
           {
             const NodeSupport &support = node.boundary.supports[s];
             if (node.is_held_by_one(s) && support.role != BoundaryRole::axis)
-              CoulombFriction::stretch(memories[n][s],
-                                       difference *
-                                         wall_tangent(support.normal),
-                                       time_step);
+              friction.stretch(memories[n][s],
+                               difference * wall_tangent(support.normal),
+                               support.tributary_area,
+                               time_step);
           }
       }
   }

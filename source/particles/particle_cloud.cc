@@ -31,11 +31,9 @@ namespace Sandglass
                       indices_of_owned_cells(scene))
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
-      {
-        cells_all.push_back(cell);
-        if (cell->is_locally_owned())
-          cells_owned.push_back(cell);
-      }
+      cells_all.push_back(cell);
+    for (const unsigned int cell : particle_blocks.cells())
+      cells_owned.push_back(cells_all[cell]);
   }
 
 

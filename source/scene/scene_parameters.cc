@@ -155,9 +155,9 @@ namespace Sandglass
       "Partitioner",
       partitioner,
       {{"METIS", Partitioner::metis}, {"p4est", Partitioner::p4est}},
-      "What shares the cells out between ranks: METIS by the graph of the "
-      "cells, p4est (Cell type = quadrilateral only) by their order along a "
-      "curve.");
+      "What shares the cells out between ranks: METIS by their graph, p4est "
+      "(Cell type = quadrilateral only) by cutting deal.II's hierarchical "
+      "order of them into parts of equal weight.");
     add_parameter("Gravity",
                   gravity,
                   "Acceleration of gravity, x and y. Units: m/s^2.");

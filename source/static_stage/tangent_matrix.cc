@@ -8,6 +8,7 @@
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Sandglass
 {

@@ -72,6 +72,8 @@ namespace Sandglass
     DoFTools::extract_constant_modes(grid.dof_handler,
                                      ComponentMask(),
                                      settings.constant_modes);
+    // Ranks without unknowns get none, but have to ask for the same as others.
+    settings.constant_modes.resize(dim);
     // Chebyshev's method, deal.II's choice, needs half as many iterations
     // again: friction makes the tangent unsymmetric.
     settings.smoother_type   = "symmetric Gauss-Seidel";

@@ -86,13 +86,14 @@ namespace
 
 
 
-// The jet converges, so that its particles meet and push each other apart. With
-// what they push is a matter of momentum: averaged over the jet it is 1.2 to
-// 2.0 % of rho g D from E = 1e5 to 1e8 Pa, and 1.8 to 2.1 % from h = 0.05 to
-// 0.0125 m. How much mass carries it at an instant depends on how long a
-// collision takes, with 1 / sqrt(E): 6.8, 2.5, 0.5 and 0.2 % in triangles. So
-// the material is stiff here. With the paper's density a particle that has been
-// separated carries stress again at once.
+// The jet converges, so that its particles meet and push each other apart. The
+// stress with which they do so follows from their momentum: averaged over the
+// jet it is 1.2 to 2.0 % of rho g D from E = 1e5 to 1e8 Pa (here 1.6 and 1.9),
+// and with E = 1e6 Pa 1.8 to 2.1 % from h = 0.05 to 0.0125 m. How much mass
+// carries it at an instant depends on how long a collision takes, with 1 /
+// sqrt(E): 6.8, 2.5, 0.5 and 0.2 % in triangles. So the material is stiff here.
+// With the paper's density a particle that has been separated carries stress
+// again at once.
 TEST_P(FreeJet, FallsFreelyWithoutStress)
 {
   start(DensityUpdate::separation);

@@ -14,12 +14,22 @@ using namespace Sandglass;
 
 namespace
 {
+  /// What makes a partition.
+  struct Choice
+  {
+    CellType    cell_type;
+    Partitioner partitioner;
+  };
+
   /// A silo in flow whose stage can move to another partition.
   struct Silo : StageFixture
   {
-    Silo()
+    explicit Silo(const Choice &choice = {CellType::triangle,
+                                          Partitioner::metis})
+      : partitioner(choice.partitioner)
     {
       SceneParameters silo;
+      silo.cell_type         = choice.cell_type;
       silo.half_width        = 0.3;
       silo.wall_height       = 0.6;
       silo.outlet_half_width = 0.1;
@@ -45,7 +55,7 @@ namespace
                                                 particles_per_cell,
                                                 gravity,
                                                 MPI_COMM_WORLD,
-                                                Partitioner::metis,
+                                                partitioner,
                                                 cell_weights);
       auto next_stage =
         make_particle_stage(*next_scene, material, walls, parameters);
@@ -70,8 +80,12 @@ namespace
       return Utilities::MPI::sum(sum, MPI_COMM_WORLD);
     }
 
-    Mesh mesh;
+    const Partitioner partitioner;
+    Mesh              mesh;
   };
+
+  class HandOver : public testing::TestWithParam<Choice>
+  {};
 
   /// All on the cells of the outlet's height and below.
   std::vector<unsigned int>
@@ -86,9 +100,9 @@ namespace
 
 
 
-TEST(HandOver, GoesOnAsWithoutIt)
+TEST_P(HandOver, GoesOnAsWithoutIt)
 {
-  Silo       moved, stayed;
+  Silo       moved(GetParam()), stayed(GetParam());
   const auto owners = moved.scene->cell_owners;
   moved.move_to(weights_below(moved));
   EXPECT_EQ(moved.scene->cell_owners == owners,
@@ -116,9 +130,9 @@ TEST(HandOver, GoesOnAsWithoutIt)
 
 // Particles only below y = 0.3 m: by the weights of the filled cells one rank
 // would have most of them.
-TEST(HandOver, SharesParticlesOutEvenly)
+TEST_P(HandOver, SharesParticlesOutEvenly)
 {
-  Silo silo;
+  Silo silo(GetParam());
   silo.stage->cloud.edit([](auto &handler) {
     std::vector<typename std::decay_t<decltype(handler)>::particle_iterator>
       above;
@@ -142,6 +156,15 @@ TEST(HandOver, SharesParticlesOutEvenly)
       EXPECT_GT(before, 1.3);
     }
 }
+
+
+
+INSTANTIATE_TEST_SUITE_P(
+  Choices,
+  HandOver,
+  testing::Values(Choice{CellType::triangle, Partitioner::metis},
+                  Choice{CellType::quadrilateral, Partitioner::metis},
+                  Choice{CellType::quadrilateral, Partitioner::p4est}));
 
 
 

@@ -76,12 +76,8 @@ namespace
   /// The tangent of such a silo at a state of compression, with friction.
   struct Tangent
   {
-    explicit Tangent(const CellType cell_type)
-      : scene(hopper_mesh(cell_type, 0.05),
-              Formulation::plane_strain,
-              4,
-              gravity,
-              MPI_COMM_WORLD)
+    explicit Tangent(const Mesh &mesh)
+      : scene(mesh, Formulation::plane_strain, 4, gravity, MPI_COMM_WORLD)
       , grid(scene)
       , material(Elasticity(1e6, 0.3), 0.5)
       , equilibrium(grid, Formulation::plane_strain, material, 1500., gravity)
@@ -144,7 +140,7 @@ namespace
 // several ranks.
 TEST_P(StaticRanks, TangentIsTheDerivativeOfTheResidual)
 {
-  Tangent                  tangent(GetParam());
+  Tangent                  tangent(hopper_mesh(GetParam(), 0.05));
   const FilledGrid::Vector u         = tangent.field(0.02, 1e-4);
   const FilledGrid::Vector direction = tangent.field(0.3, 0.2);
 

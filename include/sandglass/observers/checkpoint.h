@@ -2,6 +2,7 @@
 #define sandglass_observers_checkpoint_h
 
 #include <sandglass/particle_stage/particle_stage.h>
+#include <sandglass/walls/friction.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/string.hpp>
@@ -15,7 +16,8 @@ namespace Sandglass
 {
   /**
    * All that a run needs to go on as if it had not stopped: bit by bit the same
-   * on the same number of ranks, up to rounding on another one.
+   * on the same number of ranks with the same partitioner, up to rounding
+   * otherwise.
    */
   struct Checkpoint
   {

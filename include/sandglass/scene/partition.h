@@ -16,7 +16,7 @@ namespace Sandglass
   enum class Partitioner
   {
     metis, ///< the graph of the cells, for few nodes between the ranks
-    p4est  ///< the cells' order along a curve; quadrilaterals only
+    p4est  ///< deal.II's hierarchical order of the cells; quadrilaterals only
   };
 
   /**

@@ -31,6 +31,7 @@ namespace Sandglass
     virtual ~TangentPreconditioner() = default;
 
     /// Take the tangent as it is now; false if it is singular. Collective.
+    /// Throws where Trilinos can't work with it at all.
     virtual bool
     update() = 0;
 

@@ -12,14 +12,13 @@ namespace Sandglass
   {
     double tangential_force = 0.; ///< in N, on the material
     bool   is_sliding       = false;
-    /// Of the spring that holds it in the last step, in N/m; 0: none yet.
-    double stiffness = 0.;
+    double mass             = 0.; ///< in the last step, in kg; 0: none yet
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &tangential_force &is_sliding &stiffness;
+      archive &tangential_force &is_sliding &mass;
     }
   };
 
@@ -89,8 +88,7 @@ namespace Sandglass
     {
       const double limit = coefficient * normal_force;
 
-      double start_force =
-        force_at_new_stiffness(memory, mass, area, time_step);
+      double start_force = force_at_new_mass(memory, mass, area, time_step);
       if (update == FrictionUpdate::velocity_sign && memory.is_sliding &&
           velocity != 0.)
         {
@@ -104,7 +102,7 @@ namespace Sandglass
           start_force = force;
         }
 
-      const double stretching  = memory.stiffness * time_step;
+      const double stretching  = stiffness(mass, area, time_step) * time_step;
       const double trial_force = (start_force - stretching * free_velocity) /
                                  (1. + stretching * time_step / mass);
       memory.is_sliding       = std::abs(trial_force) > limit;
@@ -117,43 +115,61 @@ namespace Sandglass
      * that tangential_force() has not known of.
      *
      * @param velocity   beyond that at the step's end, tangential, in m/s.
+     * @param area       of wall that belongs to the node, in m^2.
      * @param time_step  in s.
      */
-    static void
+    void
     stretch(FrictionMemory &memory,
             const double    velocity,
-            const double    time_step)
+            const double    area,
+            const double    time_step) const
     {
       if (!memory.is_sliding)
-        memory.tangential_force -= memory.stiffness * time_step * velocity;
+        memory.tangential_force -=
+          stiffness(memory.mass, area, time_step) * time_step * velocity;
     }
 
   private:
     /**
-     * Give the spring the stiffness of this step, in N/m.
+     * Of the spring that holds a node, in N/m.
      *
      * The solution for force and velocity together takes the node's whole mass,
      * but v^L, with which the material moves, follows the node with a share of
      * it. A spring that the step hardly resolves would therefore swing.
-     *
-     * @return the force that has the spring's energy F^2 / (2 k) unchanged, in
-     *         N. With its force unchanged, a stretched spring whose node loses
-     *         mass would give back more than it has taken.
      */
     double
-    force_at_new_stiffness(FrictionMemory &memory,
-                           const double    mass,
-                           const double    area,
-                           const double    time_step) const
+    stiffness(const double mass,
+              const double area,
+              const double time_step) const
     {
-      double stiffness = penalty * area;
-      if (penalty_limit > 0.)
-        stiffness =
-          std::min(stiffness, penalty_limit * mass / (time_step * time_step));
-      const double old_stiffness = std::exchange(memory.stiffness, stiffness);
-      return old_stiffness > 0. ?
-               memory.tangential_force * std::sqrt(stiffness / old_stiffness) :
-               memory.tangential_force;
+      const double by_penalty = penalty * area;
+      return penalty_limit > 0. ?
+               std::min(by_penalty,
+                        penalty_limit * mass / (time_step * time_step)) :
+               by_penalty;
+    }
+
+    /**
+     * The force in N that leaves the spring's energy F^2 / (2 k) unchanged
+     * where the node's mass changes its stiffness. With its force unchanged, a
+     * stretched spring whose node loses mass would give back more than it has
+     * taken. Where the time step changes the stiffness the force stays, since
+     * it is what holds material at rest.
+     *
+     * @param[in,out] memory  takes on the mass.
+     */
+    double
+    force_at_new_mass(FrictionMemory &memory,
+                      const double    mass,
+                      const double    area,
+                      const double    time_step) const
+    {
+      const double old_mass = std::exchange(memory.mass, mass);
+      if (old_mass == 0.)
+        return memory.tangential_force;
+      return memory.tangential_force *
+             std::sqrt(stiffness(mass, area, time_step) /
+                       stiffness(old_mass, area, time_step));
     }
 
     double         coefficient;
