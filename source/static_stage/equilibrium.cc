@@ -108,16 +108,15 @@ namespace Sandglass
     volumes[index] =
       fe_values.JxW(q) * (has_hoop_strain ? 2. * numbers::PI * radius : 1.);
 
-    GradientOperator &B = gradient_operators[index];
-    B.setZero();
     for (const unsigned int i : fe_values.dof_indices())
-      {
-        const unsigned int c = grid.component(i);
-        for (unsigned int d = 0; d < dim; ++d)
-          B(dim * c + d, i) = fe_values.shape_grad(i, q)[d];
-        if (c == 0 && has_hoop_strain)
-          B(GradientComponent::hoop, i) = fe_values.shape_value(i, q) / radius;
-      }
+      if (grid.component(i) == 0)
+        {
+          const Tensor<1, dim> gradient = fe_values.shape_grad(i, q);
+          gradient_operators[index].set_node(
+            i / dim,
+            {gradient[0], gradient[1]},
+            has_hoop_strain ? fe_values.shape_value(i, q) / radius : 0.);
+        }
   }
 
 
@@ -135,19 +134,9 @@ namespace Sandglass
   void
   Equilibrium::start_step(const unsigned int index)
   {
-    MaterialPoint        &point    = points[index];
-    const Gradient5      &H        = point.gradient;
-    const Eigen::Matrix2d cofactor = IncrementalResponse::in_plane_cofactor(H);
-    const Eigen::Matrix2d F_inverse_transposed =
-      cofactor / cofactor.determinant();
-    volumes[index] *= IncrementalResponse::volume_ratio(H);
-
-    // gradients of the x component, then of the y component
-    GradientOperator &B = gradient_operators[index];
-    for (const int row : {GradientComponent::xx, GradientComponent::yx})
-      B.middleRows<dim>(row) =
-        (F_inverse_transposed * B.middleRows<dim>(row)).eval();
-    B.row(GradientComponent::hoop) /= 1. + H[GradientComponent::hoop];
+    MaterialPoint &point = points[index];
+    volumes[index] *= IncrementalResponse::volume_ratio(point.gradient);
+    gradient_operators[index].move_reference(point.gradient);
 
     point.gradient.setZero();
     point.stress_before       = point.stress;
@@ -162,8 +151,7 @@ namespace Sandglass
                              const unsigned int                      index)
   {
     MaterialPoint &point = points[index];
-    point.gradient =
-      gradient_operators[index].template leftCols<n_dofs>() * increment;
+    point.gradient     = gradient_operators[index].gradient<n_dofs>(increment);
     point.trial_stress = IncrementalResponse::trial_stress(material.elasticity,
                                                            point.stress_before,
                                                            point.gradient);
@@ -191,11 +179,9 @@ namespace Sandglass
             update_stress(du, index);
             cell_force +=
               volumes[index] *
-              (gradient_operators[index]
-                 .template leftCols<n_dofs>()
-                 .transpose() *
-               IncrementalResponse::piola_stress(points[index].stress,
-                                                 points[index].gradient));
+              gradient_operators[index].nodal_forces<n_dofs>(
+                IncrementalResponse::piola_stress(points[index].stress,
+                                                  points[index].gradient));
           }
         add_to(local_cell, cell_force, forces);
       }
@@ -232,8 +218,7 @@ namespace Sandglass
       {
         const unsigned int   index = grid.point_index(cell, q);
         const MaterialPoint &point = points[index];
-        const auto    B = gradient_operators[index].template leftCols<n_dofs>();
-        const Matrix5 tangent =
+        const Matrix5        tangent =
           volumes[index] *
           IncrementalResponse::tangent(
             material.elasticity,
@@ -242,7 +227,7 @@ namespace Sandglass
             point.gradient,
             IncrementalResponse::stabilized_projection_derivative(
               material, point.trial_stress, elastic_share));
-        result += B.transpose() * (tangent * B).eval();
+        result += gradient_operators[index].stiffness<n_dofs>(tangent);
       }
     for (const unsigned int v : cell.vertex_indices())
       if (const auto *equations = contact.equations_at(cell.vertex_index(v)))

@@ -53,11 +53,13 @@ namespace Sandglass
 
 
     /// How well a step has to solve the linear equations. Convergence stays
-    /// faster than linear, and no more is solved for than a step can gain.
+    /// faster than linear, and no more is solved for than a step can gain, or
+    /// than the state at rest needs.
     double
-    linear_tolerance(const double residual_norm)
+    linear_tolerance(const double residual_norm, const double residual_at_rest)
     {
-      return std::min(0.1, std::sqrt(residual_norm));
+      return std::max(std::min(0.1, std::sqrt(residual_norm)),
+                      0.3 * residual_at_rest / residual_norm);
     }
 
 
@@ -132,7 +134,8 @@ namespace Sandglass
   {
     equilibrium.assemble_tangent(contact, elastic_share, tangent);
     return tangent_solver.solve(residual,
-                                linear_tolerance(residual_norm),
+                                linear_tolerance(residual_norm,
+                                                 parameters.relative_residual),
                                 step);
   }
 

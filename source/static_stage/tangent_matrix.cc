@@ -43,36 +43,37 @@ namespace Sandglass
                                                              values);
     AssertThrow(status == 0, ExcTrilinosError(status));
 
+    const Epetra_CrsMatrix &matrix = sparse_matrix.trilinos_matrix();
     positions.reserve(grid.local_cells.size() * dofs_per_cell * dofs_per_cell);
     std::vector<types::global_dof_index> dofs(dofs_per_cell);
+    std::vector<int>                     rows_of_cell(dofs_per_cell),
+      columns_of_cell(dofs_per_cell);
     for (const auto &local_cell : grid.local_cells)
       {
         local_cell.cell->get_dof_indices(dofs);
-        for (const auto row : dofs)
-          for (const auto column : dofs)
-            positions.push_back(grid.owned_dofs.is_element(
-                                  storage == Storage::rows ? row : column) ?
-                                  find_position(row, column) :
-                                  numbers::invalid_unsigned_int);
+        for (unsigned int i = 0; i < dofs_per_cell; ++i)
+          {
+            rows_of_cell[i]    = matrix.LRID(static_cast<int>(dofs[i]));
+            columns_of_cell[i] = matrix.LCID(static_cast<int>(dofs[i]));
+          }
+        for (unsigned int i = 0; i < dofs_per_cell; ++i)
+          for (unsigned int j = 0; j < dofs_per_cell; ++j)
+            positions.push_back(
+              storage == Storage::rows ?
+                find_position(rows_of_cell[i], columns_of_cell[j]) :
+                find_position(rows_of_cell[j], columns_of_cell[i]));
       }
   }
 
 
 
   unsigned int
-  TangentMatrix::find_position(types::global_dof_index row,
-                               types::global_dof_index column) const
+  TangentMatrix::find_position(const int row, const int column) const
   {
-    if (storage == Storage::columns)
-      std::swap(row, column);
-    const Epetra_CrsMatrix &crs_matrix = sparse_matrix.trilinos_matrix();
-    const int               local_row  = crs_matrix.LRID(static_cast<int>(row));
-    Assert(local_row >= 0, ExcInternalError());
-    int *const       end = columns + row_begins[local_row + 1];
-    const int *const entry =
-      std::find(columns + row_begins[local_row],
-                end,
-                crs_matrix.LCID(static_cast<int>(column)));
+    if (row < 0)
+      return numbers::invalid_unsigned_int;
+    int *const       end   = columns + row_begins[row + 1];
+    const int *const entry = std::find(columns + row_begins[row], end, column);
     Assert(entry != end, ExcInternalError());
     return entry - columns;
   }
@@ -108,7 +109,13 @@ namespace Sandglass
                      const types::global_dof_index column,
                      const double                  value)
   {
-    values[find_position(row, column)] += value;
+    const Epetra_CrsMatrix &matrix         = sparse_matrix.trilinos_matrix();
+    const auto [stored_row, stored_column] = storage == Storage::rows ?
+                                               std::pair(row, column) :
+                                               std::pair(column, row);
+    values[find_position(matrix.LRID(static_cast<int>(stored_row)),
+                         matrix.LCID(static_cast<int>(stored_column)))] +=
+      value;
   }
 
 

@@ -5,7 +5,7 @@
 
 #include <sandglass/material/drucker_prager.h>
 #include <sandglass/static_stage/filled_grid.h>
-#include <sandglass/static_stage/incremental_response.h>
+#include <sandglass/static_stage/gradient_operator.h>
 #include <sandglass/static_stage/tangent_matrix.h>
 #include <sandglass/static_stage/wall_contact.h>
 
@@ -94,10 +94,6 @@ namespace Sandglass
     }
 
   private:
-    /// Maps nodal increments of a cell to their gradient H at a point. The last
-    /// two columns are unused in triangles.
-    using GradientOperator = Eigen::Matrix<double, 5, 8>;
-
     /// Add to the values at those of the cell's nodes that this rank owns.
     void
     add_to(const FilledGrid::LocalCell            &local_cell,

@@ -64,10 +64,11 @@ namespace Sandglass
     }
 
   private:
-    /// Where the entry stands in `values`; this rank must store it.
+    /// Where an entry stands in `values`, by its stored row and column in
+    /// Trilinos' numbers on this rank; invalid_unsigned_int if this rank hasn't
+    /// the row.
     unsigned int
-    find_position(types::global_dof_index row,
-                  types::global_dof_index column) const;
+    find_position(const int row, const int column) const;
 
     TrilinosWrappers::SparseMatrix sparse_matrix;
     const unsigned int             dofs_per_cell;
