@@ -19,13 +19,27 @@ ELEMENT_SIZE = 0.025  # of mesh 3, in m
 REFINEMENTS = (1, 2, 4, 8)
 BENCH = ROOT / "build" / "bench" / "particle_loop.json"
 CALLGRIND = output_of(NAME) / "callgrind.out"
+CALLGRIND_PARTS = output_of(NAME) / "callgrind-parts"
 KINDS = ("plane/triangles", "plane/quadrilaterals",
          "axisymmetric/triangles", "axisymmetric/quadrilaterals")
+PARTS_OF_STEP = {
+    "sums_at_nodes": "sums from cells to nodes (2 to 4)",
+    "time_step": "critical time step",
+    "nodal_equations": "nodal equations and contact (2, 4, 5)",
+    "velocity_map": "velocity map (7)",
+    "volumetric_strain": "averaged volumetric strain",
+    "particles": "particles, and their sums in cells (2 to 4, 6, 8, 9)",
+    "relocation": "change of cells",
+    "splitting": "splitting of particles",
+    "order": "order in memory"}
 
 
-def discharge_run():
+def discharge_run(has_files=True):
     """With all outputs; the scene's interval is the program's default."""
-    return study_run(NAME, "discharge", SCENE, ())
+    if has_files:
+        return study_run(NAME, "discharge", SCENE, ())
+    return study_run(NAME, "discharge-without-files", SCENE, ())._replace(
+        settings=WITHOUT_OUTPUT)
 
 
 def start_run(refinement, particles_per_cell=4, with_output=False):
@@ -108,12 +122,28 @@ def count_instructions():
         check=True, capture_output=True)
 
 
+def count_parts():
+    """What the benchmark dumps at the end of each part of a step."""
+    for dump in CALLGRIND_PARTS.parent.glob(CALLGRIND_PARTS.name + ".*"):
+        dump.unlink()
+    subprocess.run(
+        ["valgrind", "--tool=callgrind", "--instr-atstart=no",
+         f"--callgrind-out-file={CALLGRIND_PARTS}",
+         str(ROOT / "build" / "release" / "benchmarks" / "bench_particle_loop"),
+         f"--benchmark_filter=counted_parts/{KINDS[0]}",
+         "--benchmark_format=json",
+         f"--benchmark_out={CALLGRIND_PARTS}.json"],
+        check=True, capture_output=True)
+
+
 def make_runs():
     """One after the other, for their times."""
-    for run in [discharge_run(), *memory_runs(False), *memory_runs(True),
+    for run in [discharge_run(), discharge_run(has_files=False),
+                *memory_runs(False), *memory_runs(True),
                 *(start_run(refinement) for refinement in REFINEMENTS)]:
         make(run)
     count_instructions()
+    count_parts()
     for pair in [*short_pairs(), discharge_pair()]:
         for n_ranks, run in pair:
             make_on_ranks(n_ranks, run)
@@ -194,6 +224,57 @@ def limits(rows):
                      "instructions", "instructions over the probe's"], lines)
 
 
+def instructions_of_parts():
+    """Per particle and step."""
+    with open(f"{CALLGRIND_PARTS}.json", encoding="utf-8") as file:
+        steps = json.load(file)["benchmarks"][0]["particle_steps"]
+    counts = dict.fromkeys(PARTS_OF_STEP, 0)
+    for dump in CALLGRIND_PARTS.parent.glob(CALLGRIND_PARTS.name + ".[0-9]*"):
+        text = dump.read_text()
+        part = re.search(r"^desc: Trigger: Client Request: (\w+)", text,
+                         re.MULTILINE)
+        if part and part.group(1) in counts:
+            counts[part.group(1)] += int(
+                re.search(r"^totals: (\d+)", text, re.MULTILINE).group(1))
+    return {part: count / steps for part, count in counts.items()}
+
+
+def times_of_parts(kind, refinement):
+    """In ns per particle and step, and the bytes known beside them."""
+    measured = benchmarks()[f"parts_of_step/{kind}/{refinement}"]
+    return {part: (measured[f"ns_of_{part}"],
+                   measured.get(f"bytes_of_{part}"))
+            for part in PARTS_OF_STEP}
+
+
+def parts_of_step(_):
+    """The parts of a step with the program's defaults."""
+    bandwidth = benchmarks()["limits/memory_bandwidth"]["bytes_per_second"]
+    mesh_3 = times_of_parts(KINDS[0], 1)
+    fine = times_of_parts(KINDS[0], REFINEMENTS[-1])
+    counts = instructions_of_parts()
+    lines = []
+    for part, title in PARTS_OF_STEP.items():
+        nanoseconds, moved = mesh_3[part]
+        lines.append([
+            title, number(nanoseconds, ".1f"), number(counts[part], ".0f"),
+            number(moved, ".0f"),
+            number(moved and 100e9 * moved / nanoseconds / bandwidth, ".0f"),
+            number(fine[part][0], ".1f"),
+            *(number(times_of_parts(kind, 1)[part][0], ".1f")
+              for kind in KINDS[1:])])
+    lines.append(["all", *(number(sum(values), ".0f") for values in (
+        (time for time, _ in mesh_3.values()), counts.values(),
+        (moved for _, moved in mesh_3.values() if moved))), "",
+        number(sum(time for time, _ in fine.values()), ".0f"),
+        *(number(sum(time for time, _ in times_of_parts(kind, 1).values()),
+                 ".0f") for kind in KINDS[1:])])
+    return markdown(
+        ["part (steps of Section 4.4)", "ns", "instructions", "bytes",
+         "% of the memory's limit", "ns, 1.3 million particles",
+         *(f"ns, {kind.replace('/', ' ')}" for kind in KINDS[1:])], lines)
+
+
 def memory_per_particle(with_output=False):
     """In bytes, over the mesh's own."""
     few, many = (run_output.read_summary(run.directory)
@@ -222,14 +303,17 @@ def element_memory(_):
 
 
 def whole_run(_):
-    summary = run_output.read_summary(discharge_run().directory)
-    discharge = summary["loop_seconds"]
-    return markdown(
-        ["part of the run", "share of the particle stage's time"],
-        [[title, f"{100 * summary[key] / discharge:.1f} %"]
-         for title, key in (("set-up", "setup_seconds"),
-                            ("static stage", "static_seconds"),
-                            ("output", "output_seconds"))])
+    summary, without_files = (
+        run_output.read_summary(run.directory)
+        for run in (discharge_run(), discharge_run(has_files=False)))
+    parts = (("set-up", "setup_seconds"), ("static stage", "static_seconds"),
+             ("particle stage", "loop_seconds"), ("output", "output_seconds"))
+    whole = sum(summary[key] for _, key in parts)
+    lines = [[title, f"{100 * summary[key] / whole:.1f} %"]
+             for title, key in parts]
+    files = summary["output_seconds"] - without_files["output_seconds"]
+    lines.append(["of it, VTU files", f"{100 * files / whole:.1f} %"])
+    return markdown(["part of the run", "share of the time"], lines)
 
 
 def speed_up(pair):
@@ -270,9 +354,9 @@ def scaling(rows):
 
 def parts(rows):
     return {part.__name__.replace("_", "-"): part(rows)
-            for part in (loop, limits, particle_memory, output_memory,
-                          element_memory, whole_run, two_ranks,
-                          two_ranks_discharge, set_up, scaling)}
+            for part in (loop, limits, parts_of_step, particle_memory,
+                         output_memory, element_memory, whole_run, two_ranks,
+                         two_ranks_discharge, set_up, scaling)}
 
 
 def draw(_):

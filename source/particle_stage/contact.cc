@@ -21,7 +21,7 @@ namespace Sandglass
         if (!scene.nodes->in_local_range(boundary.dof))
           continue;
         Node node{
-          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}, 0.};
+          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}};
         for (unsigned int s = 0; s < boundary.supports.size(); ++s)
           node.impulse[s] = {boundary.position,
                              boundary.supports[s].role,
@@ -88,7 +88,6 @@ namespace Sandglass
             memories[n][s] = {};
 
         node.end_velocity = end_velocity;
-        node.mass         = mass;
         for (unsigned int d = 0; d < dim; ++d)
           node_acceleration[d] = (end_velocity[d] - velocity[d]) / time_step;
       }

@@ -33,9 +33,7 @@ namespace Sandglass
     , contact(scene, walls)
     , speed_limit(parameters.largest_speed *
                   std::sqrt(2. * scene.gravity.norm() * fall_height(scene)))
-  {
-    timer.reset();
-  }
+  {}
 
 
 

@@ -64,11 +64,19 @@ namespace Sandglass
                                   const Clock   &clock)
   {
     wall_impulses.clear();
-    auto       &parcels = strays.parcels;
-    std::size_t n_found = 0;
-    for (Parcel &stray : parcels)
-      if (find_cell(stray))
-        parcels[n_found++] = stray;
+    auto             &parcels  = strays.parcels;
+    const std::size_t n_strays = parcels.size();
+    std::size_t       n_found  = 0;
+    for (std::size_t n = 0; n < n_strays; ++n)
+      {
+        // On fine meshes no cache has kept the cells since the pass.
+        if (n + 2 * prefetch_distance < n_strays)
+          geometry.prefetch(parcels[n + 2 * prefetch_distance].cell);
+        if (n + prefetch_distance < n_strays)
+          geometry.prefetch_neighbors(parcels[n + prefetch_distance].cell);
+        if (find_cell(parcels[n]))
+          parcels[n_found++] = parcels[n];
+      }
     parcels.resize(n_found);
     throw_if_faulty(clock);
     cloud.insert(parcels, arrivals);

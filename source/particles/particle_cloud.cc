@@ -128,41 +128,27 @@ namespace Sandglass
   {
     arrivals.clear();
     handler_is_current = false;
-    if (Utilities::MPI::n_mpi_processes(scene.communicator) > 1)
-      {
-        insert_on_owners(parcels, arrivals);
-        return;
-      }
-
-    // The cells are neighbours of those that the particles have left, but on
-    // fine meshes no cache has kept them.
-    constexpr unsigned int ahead = 8;
-    for (unsigned int n = 0; n < parcels.size(); ++n)
-      {
-        if (n + ahead < parcels.size())
-          particle_blocks.prefetch(parcels[n + ahead].cell);
-        arrivals.push_back(particle_blocks.insert(parcels[n]));
-      }
-  }
-
-
-
-  void
-  ParticleCloud::insert_on_owners(const std::vector<Parcel> &parcels,
-                                  std::vector<ParticleSlot> &arrivals)
-  {
+    const bool is_alone =
+      Utilities::MPI::n_mpi_processes(scene.communicator) == 1;
     const unsigned int this_rank =
       Utilities::MPI::this_mpi_process(scene.communicator);
 
     std::map<unsigned int, std::vector<Parcel>> outgoing;
-    for (const Parcel &parcel : parcels)
+    for (std::size_t n = 0; n < parcels.size(); ++n)
       {
-        const unsigned int owner = scene.cell_owners[parcel.cell];
+        // The cells are neighbours of those that the particles have left, but
+        // on fine meshes no cache has kept them.
+        if (n + prefetch_distance < parcels.size())
+          particle_blocks.prefetch(parcels[n + prefetch_distance].cell);
+        const unsigned int owner =
+          is_alone ? this_rank : scene.cell_owners[parcels[n].cell];
         if (owner == this_rank)
-          arrivals.push_back(particle_blocks.insert(parcel));
+          arrivals.push_back(particle_blocks.insert(parcels[n]));
         else
-          outgoing[owner].push_back(parcel);
+          outgoing[owner].push_back(parcels[n]);
       }
+    if (is_alone)
+      return;
     for (const auto &[rank, incoming] :
          Utilities::MPI::some_to_some(scene.communicator, outgoing))
       for (const Parcel &parcel : incoming)

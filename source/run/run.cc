@@ -96,6 +96,28 @@ namespace Sandglass
             return;
         }
     }
+
+
+
+    /// To the end. Where ranks should, they share the cells out anew.
+    template <typename MakePart>
+    void
+    flow_to_end(std::unique_ptr<Part> &part,
+                const MakePart        &make_part,
+                Log                   &log,
+                TimerOutput           &timings)
+    {
+      for (flow(*part, timings); !part->stage->is_finished();
+           flow(*part, timings))
+        {
+          log.stream() << "t = " << part->stage->clock.time
+                       << " s: ranks share the cells out anew" << std::endl;
+          auto next = make_part(cell_weights(*part->stage));
+          hand_over(*part->stage, *next->stage);
+          next->observers.go_on_from(part->observers, *next->stage);
+          part = std::move(next);
+        }
+    }
   } // namespace
 
 
@@ -132,7 +154,8 @@ namespace Sandglass
                                               parameters.material,
                                               parameters.walls,
                                               parameters.particle_stage));
-        part = make_part(checkpoint->cell_weights);
+        if (checkpoint->cell_weights != part->scene.cell_weights)
+          part = make_part(checkpoint->cell_weights);
       }
 
     prepare_output_directory(parameters.output,
@@ -150,16 +173,7 @@ namespace Sandglass
             part->observers.start(*part->stage,
                                   static_state ? &*static_state : nullptr);
           }
-        for (flow(*part, timings); !part->stage->is_finished();
-             flow(*part, timings))
-          {
-            log.stream() << "t = " << part->stage->clock.time
-                         << " s: ranks share the cells out anew" << std::endl;
-            auto next = make_part(cell_weights(*part->stage));
-            hand_over(*part->stage, *next->stage);
-            next->observers.go_on_from(part->observers, *next->stage);
-            part = std::move(next);
-          }
+        flow_to_end(part, make_part, log, timings);
         part->observers.finish(*part->stage);
       }
     catch (const RunError &error)

@@ -33,9 +33,26 @@ namespace Sandglass
 
 
 
+    /// Call `distribute()`, which shares the cells out, with these weights.
+    template <typename Distribute>
+    void
+    distribute_by_weight(Triangulation<dim>              &triangulation,
+                         const std::vector<unsigned int> &weights,
+                         const Distribute                &distribute)
+    {
+      const auto connection = triangulation.signals.weight.connect(
+        [&weights](const auto &cell, auto) {
+          return weights[cell->active_cell_index()];
+        });
+      distribute();
+      connection.disconnect();
+    }
+
+
+
     std::unique_ptr<parallel::TriangulationBase<dim>>
     partition_by_metis(const Mesh                      &mesh,
-                       const std::vector<unsigned int> &cell_weights,
+                       const std::vector<unsigned int> &weights,
                        const MPI_Comm                   communicator)
     {
       using Shared       = parallel::shared::Triangulation<dim>;
@@ -43,14 +60,9 @@ namespace Sandglass
                                                     Triangulation<dim>::none,
                                                     true,
                                                     Shared::partition_metis);
-
-      const auto weights    = for_metis(cell_weights);
-      const auto connection = triangulation->signals.weight.connect(
-        [&weights](const auto &cell, auto) {
-          return weights[cell->active_cell_index()];
-        });
-      triangulate(mesh, *triangulation);
-      connection.disconnect();
+      distribute_by_weight(*triangulation, for_metis(weights), [&]() {
+        triangulate(mesh, *triangulation);
+      });
       return triangulation;
     }
 
@@ -62,17 +74,12 @@ namespace Sandglass
                        const std::vector<unsigned int> &weights,
                        const MPI_Comm                   communicator)
     {
-      auto triangulation =
-        std::make_unique<parallel::distributed::Triangulation<dim>>(
-          communicator);
+      using Distributed  = parallel::distributed::Triangulation<dim>;
+      auto triangulation = std::make_unique<Distributed>(communicator);
       triangulate(mesh, *triangulation);
-
-      const auto connection = triangulation->signals.weight.connect(
-        [&weights](const auto &cell, auto) {
-          return weights[cell->active_cell_index()];
-        });
-      triangulation->repartition();
-      connection.disconnect();
+      distribute_by_weight(*triangulation, weights, [&]() {
+        triangulation->repartition();
+      });
       return triangulation;
     }
   } // namespace

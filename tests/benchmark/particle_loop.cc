@@ -12,26 +12,34 @@
 #include <algorithm>
 #include <ctime>
 
+#include "counted_parts.h"
 #include "loop_difference.h"
 #include "machine_limits.h"
+#include "part_sums.h"
 
 namespace
 {
   using namespace Sandglass;
 
-  /// Processor time of `function()` in ns.
+  /// Processor time in ns.
+  double
+  processor_time()
+  {
+    timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return 1e9 * time.tv_sec + time.tv_nsec;
+  }
+
+
+
+  /// That of `function()`.
   template <typename Function>
   double
   measure(const Function &function)
   {
-    const auto now = []() {
-      timespec time;
-      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-      return 1e9 * time.tv_sec + time.tv_nsec;
-    };
-    const double start = now();
+    const double start = processor_time();
     function();
-    return now() - start;
+    return processor_time() - start;
   }
 
 
@@ -70,11 +78,23 @@ namespace
 
 
   /// What a step moves between processor and memory where no cache holds it,
-  /// per particle in bytes: blocks there and back; cells' shapes, nodes and
-  /// sums once for each of the three loops over cells.
+  /// per particle in bytes.
+  struct BytesMoved
+  {
+    double particles;     ///< the pass: blocks there and back
+    double loop_of_cells; ///< shapes, nodes and sums
+    double filled_lanes;
+
+    double
+    total() const
+    {
+      return particles + 2 * loop_of_cells;
+    }
+  };
+
   template <typename Setting>
-  double
-  bytes_moved(const FlowingSilo<Setting> &silo, double &filled_lanes)
+  BytesMoved
+  bytes_moved(const FlowingSilo<Setting> &silo)
   {
     const ParticleBlocks &blocks  = silo.stage->cloud.blocks();
     unsigned int          n_cells = 0, n_blocks = 0;
@@ -82,14 +102,15 @@ namespace
       ++n_cells;
       blocks.for_each_block_in_cell(cell, [&](unsigned int) { ++n_blocks; });
     });
-    filled_lanes = double(silo.n_particles()) / (Lanes::n * n_blocks);
 
-    using Geometry        = typename FlowingSilo<Setting>::Geometry;
-    const double per_cell = 3 * (sizeof(typename Geometry::Shape) +
-                                 2 * Geometry::Shape::n_nodes * sizeof(int)) +
-                            4 * sizeof(CellSums<Setting, double>);
-    return (n_blocks * 2. * sizeof(ParticleBlock) + n_cells * per_cell) /
-           silo.n_particles();
+    using Shape       = typename FlowingSilo<Setting>::Geometry::Shape;
+    const double cell = sizeof(Shape) + 2 * Shape::n_nodes * sizeof(int);
+    const double sums = sizeof(CellSums<Setting, double>);
+    const double n    = silo.n_particles();
+    return {
+      (n_blocks * 2. * sizeof(ParticleBlock) + n_cells * (cell + 2 * sums)) / n,
+      n_cells * (cell + sums) / n,
+      n / (Lanes::n * n_blocks)};
   }
 
 
@@ -100,12 +121,12 @@ namespace
          const FlowingSilo<Setting> &silo,
          const std::vector<double>  &times)
   {
-    double filled_lanes;
+    const BytesMoved bytes                      = bytes_moved(silo);
     state.counters["particles"]                 = silo.n_particles();
     state.counters["ns_per_particle_step"]      = median(times);
     state.counters["particle_steps_per_second"] = 1e9 / median(times);
-    state.counters["bytes_per_particle_step"] = bytes_moved(silo, filled_lanes);
-    state.counters["filled_lanes"]            = filled_lanes;
+    state.counters["bytes_per_particle_step"]   = bytes.total();
+    state.counters["filled_lanes"]              = bytes.filled_lanes;
   }
 
 
@@ -202,6 +223,74 @@ namespace
 
 
 
+  /// The silo in flow with the defaults, on the mesh that the range says.
+  template <typename Setting>
+  std::unique_ptr<FlowingSilo<Setting>>
+  make_flowing_silo(const unsigned int refinement)
+  {
+    using Silo  = FlowingSilo<Setting>;
+    auto mesh_3 = std::make_unique<Silo>(1, Silo::Method::automatic);
+    mesh_3->run(600);
+    if (refinement == 1)
+      return mesh_3;
+    auto fine = std::make_unique<Silo>(refinement, Silo::Method::automatic);
+    fine->take_velocity(*mesh_3);
+    fine->run(20);
+    return fine;
+  }
+
+
+
+  /// ns and bytes of each part of a step.
+  template <typename Setting>
+  void
+  parts_of_step(benchmark::State &state)
+  {
+    const auto silo  = make_flowing_silo<Setting>(state.range(0));
+    auto      &stage = *silo->stage;
+    // A whole number of the intervals in which the critical step is found.
+    const unsigned int interval = silo->parameters.time_step_interval;
+    const unsigned int n_steps =
+      interval * (1 + steps_to_measure(*silo) / interval);
+
+    PartSums times(processor_time);
+    stage.step_watcher         = &times;
+    const unsigned long before = stage.particle_steps;
+    for (auto _ : state)
+      state.SetIterationTime(1e-9 * measure([&]() { silo->run(n_steps); }));
+    const double n_particle_steps = stage.particle_steps - before;
+
+    for (unsigned int part = 0; part < times.sums.size(); ++part)
+      state.counters[std::string("ns_of_") + step_part_names[part]] =
+        times.sums[part] / n_particle_steps;
+    const BytesMoved bytes                   = bytes_moved(*silo);
+    state.counters["bytes_of_particles"]     = bytes.particles;
+    state.counters["bytes_of_velocity_map"]  = bytes.loop_of_cells;
+    state.counters["bytes_of_sums_at_nodes"] = bytes.loop_of_cells;
+    state.counters["particles"]              = silo->n_particles();
+  }
+
+
+
+  /// One interval of the critical step, for callgrind.
+  template <typename Setting>
+  void
+  counted_parts(benchmark::State &state)
+  {
+    const auto silo = make_flowing_silo<Setting>(1);
+    for (auto _ : state)
+      {
+        CountedParts counter;
+        silo->stage->step_watcher = &counter;
+        silo->run(silo->parameters.time_step_interval);
+        silo->stage->step_watcher = nullptr;
+      }
+    state.counters["particle_steps"] =
+      silo->parameters.time_step_interval * silo->n_particles();
+  }
+
+
+
   template <Formulation formulation, CellType cell_type>
   void
   add_benchmarks(const std::string &name)
@@ -223,6 +312,16 @@ namespace
       ->Arg(2)
       ->Arg(4)
       ->Arg(8);
+    benchmark::RegisterBenchmark(("parts_of_step/" + name).c_str(),
+                                 parts_of_step<Choice>)
+      ->UseManualTime()
+      ->Iterations(n_pairs)
+      ->Arg(1)
+      ->Arg(8);
+    if (RUNNING_ON_VALGRIND)
+      benchmark::RegisterBenchmark(("counted_parts/" + name).c_str(),
+                                   counted_parts<Choice>)
+        ->Iterations(1);
   }
 } // namespace
 

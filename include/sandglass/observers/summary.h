@@ -1,6 +1,8 @@
 #ifndef sandglass_observers_summary_h
 #define sandglass_observers_summary_h
 
+#include <deal.II/base/timer.h>
+
 #include <sandglass/observers/flow_summary.h>
 #include <sandglass/observers/json_object.h>
 #include <sandglass/observers/particle_totals.h>

@@ -86,13 +86,12 @@ namespace Sandglass
   void
   for_each_cell_of_particles(const ParticleBlocks &blocks, const Kernel &kernel)
   {
-    constexpr unsigned int ahead = 8; // 4 is as good
-    const auto            &cells = blocks.cells();
+    const auto &cells = blocks.cells();
     for (unsigned int n = 0; n < cells.size(); ++n)
       if (blocks.first_block(cells[n]) != ParticleBlocks::none)
         {
-          if (n + ahead < cells.size())
-            blocks.prefetch(cells[n + ahead]);
+          if (n + prefetch_distance < cells.size())
+            blocks.prefetch(cells[n + prefetch_distance]);
           kernel(cells[n]);
         }
   }

@@ -38,17 +38,10 @@ namespace Sandglass
     assemble(const ParticleBlocks &blocks, const NodalSums<Setting> &cells)
     {
       if constexpr (!Setting::has_uniform_strain)
-        for_each_filled_cell(blocks, [&](const unsigned int cell) {
-          matrices[cell].setZero();
-          blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-            const auto state = load_state(blocks[slot.block], slot.lane);
-            if (is_stiff(state, cells.cells.smallest_density))
-              add_particle(state, geometry.shape(cell), matrices[cell]);
+        run_with_widest_vectors([&]() {
+          for_each_cell_of_particles(blocks, [&](const unsigned int cell) {
+            assemble(blocks, cells, cell);
           });
-          const double volume =
-            cells[cell].values[CellSums<Setting, double>::stiff_volume];
-          if (volume > 0.)
-            matrices[cell] *= cells.stiff_volume(cell) / volume;
         });
     }
 
@@ -84,7 +77,9 @@ namespace Sandglass
     static constexpr int n_dofs = dim * n_nodes;
     using Matrix                = Eigen::Matrix<double, n_dofs, n_dofs>;
     using Vector                = Eigen::Matrix<double, n_dofs, 1>;
-    using Gradients             = std::array<Pair<double>, n_nodes>;
+    /// For each pair of nodes i <= j what displacement of j does to i.
+    using NodePairs =
+      std::array<std::array<Pair<Lanes>, dim>, n_nodes *(n_nodes + 1) / 2>;
 
     static Eigen::Map<Vector>
     as_vector(OfNodes &values)
@@ -103,7 +98,7 @@ namespace Sandglass
                              const OfNodes &displacements,
                              const double   volume) const
     {
-      const Gradients gradients = shape.shape_gradients(Pair<double>());
+      const auto gradients = shape.shape_gradients(Pair<double>());
       const DeformationIncrement<double> deformation(gradient_of(displacements,
                                                                  gradients),
                                                      0.);
@@ -118,29 +113,86 @@ namespace Sandglass
       return forces;
     }
 
-    /// matrix += V B^T C B, with the strain's tensor components as B's rows.
     void
-    add_particle(const ParticleState<double> &state,
-                 const Shape                 &shape,
-                 Matrix                      &matrix) const
+    assemble(const ParticleBlocks     &blocks,
+             const NodalSums<Setting> &cells,
+             const unsigned int        cell)
     {
-      const auto      values    = Shape::shape_values(state.reference);
-      const Gradients gradients = shape.shape_gradients(state.reference);
-      Eigen::Matrix<double, 4, n_dofs> strains, stresses;
-      strains.setZero();
+      NodePairs pairs;
+      for (auto &pair : pairs)
+        pair.fill({{Lanes(0.), Lanes(0.)}});
+      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+        add_particles(load_state(blocks[block]),
+                      cells.cells.smallest_density,
+                      geometry.shape(cell),
+                      pairs);
+      });
+
+      const double of_particles =
+        cells[cell].values[CellSums<Setting, double>::stiff_volume];
+      const double factor =
+        of_particles > 0. ? cells.stiff_volume(cell) / of_particles : 1.;
+      auto pair = pairs.begin();
       for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int j = i; j < n_nodes; ++j, ++pair)
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e < dim; ++e)
+              matrices[cell](dim * i + d, dim * j + e) =
+                matrices[cell](dim * j + e, dim * i + d) =
+                  factor * sum((*pair)[d][e]);
+    }
+
+    /**
+     * V B^T C B for particles side by side: in terms of the nodes' shape
+     * functions N, their gradients g and h = N / x, and with t = (g_x + h, g_y)
+     * for the trace of the strain, it is the sum of lambda t_i t_j^T,
+     * G g_j g_i^T, G g_i . g_j on the diagonal, and 2 G h_i h_j for x.
+     */
+    void
+    add_particles(const ParticleState<Lanes> &state,
+                  const double                smallest_stiff_density,
+                  const Shape                &shape,
+                  NodePairs                  &pairs) const
+    {
+      const auto  gradients = shape.shape_gradients(state.reference);
+      const Lanes volume    = select(is_stiff(state, smallest_stiff_density),
+                                  state.volume(),
+                                  Lanes(0.));
+      const Lanes lame      = volume * elasticity.lame_modulus;
+      const Lanes shear     = volume * elasticity.shear_modulus;
+
+      std::array<Pair<Lanes>, n_nodes> traces;
+      std::array<Lanes, n_nodes>       hoop;
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        traces[i] = {{Lanes(gradients[i][0]), Lanes(gradients[i][1])}};
+      if constexpr (Setting::has_hoop_strain)
         {
-          strains(Component::xx, dim * i)     = gradients[i][0];
-          strains(Component::yy, dim * i + 1) = gradients[i][1];
-          strains(Component::xy, dim * i)     = 0.5 * gradients[i][1];
-          strains(Component::xy, dim * i + 1) = 0.5 * gradients[i][0];
-          if constexpr (Setting::has_hoop_strain)
-            strains(Component::zz, dim * i) = values[i] / state.location[0];
+          const auto  values     = Shape::shape_values(state.reference);
+          const Lanes per_radius = Lanes(1.) / state.location[0];
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              hoop[i] = values[i] * per_radius;
+              traces[i][0] += hoop[i];
+            }
         }
-      for (int k = 0; k < n_dofs; ++k)
-        stresses.col(k) = elasticity.stress<double>(strains.col(k));
-      stresses.row(Component::xy) *= 2.; // counts twice in strain : stress
-      matrix += state.volume() * strains.transpose() * stresses;
+
+      auto pair = pairs.begin();
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int j = i; j < n_nodes; ++j, ++pair)
+          {
+            const Lanes on_diagonal =
+              shear * (gradients[i][0] * gradients[j][0] +
+                       gradients[i][1] * gradients[j][1]);
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                for (unsigned int e = 0; e < dim; ++e)
+                  (*pair)[d][e] += lame * traces[i][d] * traces[j][e] +
+                                   shear * gradients[i][e] * gradients[j][d];
+                (*pair)[d][d] += on_diagonal;
+              }
+            if constexpr (Setting::has_hoop_strain)
+              (*pair)[0][0] += 2. * shear * hoop[i] * hoop[j];
+          }
     }
 
     const Elasticity    elasticity;

@@ -157,7 +157,6 @@ namespace Sandglass
       /// The supports that held it when apply() was called last.
       unsigned int   holding = 0;
       Tensor<1, dim> end_velocity; ///< at the end of that step, in m/s
-      double         mass;         ///< in that step, in kg
 
       /// Whether this support and no other one held it; walls rub only then.
       bool

@@ -55,11 +55,13 @@ namespace Sandglass
     void
     step() override
     {
-      timer.start();
       // Steps 2 to 4: sums over the particles, mostly left by the last pass
+      begin(StepPart::mass_matrix);
       update_sums();
+      begin(StepPart::time_step);
       clock.time_step = choose_time_step();
       // Step 2: nodal velocity
+      begin(StepPart::nodal_equations);
       solve_velocity(fields, *scene.nodes, mass_matrix);
       // Steps 4 and 5: contact and nodal acceleration
       solve_acceleration(fields,
@@ -69,30 +71,37 @@ namespace Sandglass
                          scene.gravity,
                          clock.time_step);
       // Step 7: the velocity that deforms and moves the particles
+      begin(StepPart::velocity_map);
       nodal_sums.map_momentum(cloud.blocks(),
                               fields.acceleration,
                               clock.time_step,
                               fields.mapped_velocity);
       solve_mapped_velocity(fields, mass_matrix, contact, clock.time_step);
-      // Steps 6, 8 and 9: velocity, stress, density and position
+      begin(StepPart::volumetric_strain);
       volumetric_average.compute(cloud.blocks(),
                                  nodal_sums,
                                  fields.mapped_velocity);
+      // Steps 6, 8 and 9: velocity, stress, density and position
+      begin(StepPart::particles);
       particle_steps += cloud.n_locally_owned_particles();
       plastic_dissipation +=
         volumetric_average.is_on ? pass<true>() : pass<false>();
+      begin(StepPart::relocation);
       const auto &arrivals = relocation.relocate(strays, cloud, clock);
       for_each_sums([&](auto &cells) { cells.add(cloud.blocks(), arrivals); });
       contact.add_impulses(relocation.wall_impulses);
+      begin(StepPart::splitting);
       if (splitting.is_on() && clock.step % splitting.interval == 0)
         split_particles();
+      begin(StepPart::sums_at_nodes);
       scatter_sums();
       // Step 10
       clock.time += clock.time_step;
       ++clock.step;
       check_speed();
+      begin(StepPart::order);
       cloud.change_blocks().sort_if_mixed();
-      timer.stop();
+      begin(StepPart::done);
     }
 
     double

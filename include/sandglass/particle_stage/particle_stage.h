@@ -1,14 +1,13 @@
 #ifndef sandglass_particle_stage_particle_stage_h
 #define sandglass_particle_stage_particle_stage_h
 
-#include <deal.II/base/timer.h>
-
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/particle_stage/clock.h>
 #include <sandglass/particle_stage/contact.h>
 #include <sandglass/particle_stage/nodal_fields.h>
 #include <sandglass/particle_stage/particle_stage_parameters.h>
 #include <sandglass/particle_stage/relocation.h>
+#include <sandglass/particle_stage/step_part.h>
 #include <sandglass/particles/seeding.h>
 #include <sandglass/walls/wall_parameters.h>
 
@@ -117,13 +116,20 @@ namespace Sandglass
     virtual RemovedMass &
     removed_mass() = 0;
 
-    /// Wall time of the steps.
-    Timer timer;
+    /// Told of each part of a step; usually nobody.
+    StepWatcher *step_watcher = nullptr;
 
   protected:
     ParticleStage(const Scene                   &scene,
                   const WallParameters          &walls,
                   const ParticleStageParameters &parameters);
+
+    void
+    begin(const StepPart part) const
+    {
+      if (step_watcher != nullptr)
+        step_watcher->begin(part);
+    }
 
     /// Step of the table, or the automatic one, cut at the end time.
     double

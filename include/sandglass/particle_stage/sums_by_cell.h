@@ -69,9 +69,17 @@ namespace Sandglass
     void
     add(const ParticleBlocks &blocks, const std::vector<ParticleSlot> &arrivals)
     {
-      for (const ParticleSlot &slot : arrivals)
+      for (std::size_t n = 0; n < arrivals.size(); ++n)
         {
-          const bool is_first =
+          if (n + prefetch_distance < arrivals.size())
+            {
+              const unsigned int cell = arrivals[n + prefetch_distance].cell;
+              blocks.prefetch(cell);
+              geometry.prefetch(cell);
+              prefetch(cells[cell]);
+            }
+          const ParticleSlot &slot = arrivals[n];
+          const bool          is_first =
             slot.lane == 0 &&
             blocks.next_block(slot.block) == ParticleBlocks::none;
           if (is_first)

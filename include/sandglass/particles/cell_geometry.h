@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/base/prefetch.h>
 #include <sandglass/particles/cell_shape.h>
 #include <sandglass/scene/scene.h>
 
@@ -49,6 +50,22 @@ namespace Sandglass
     n_cells() const
     {
       return cells.size();
+    }
+
+    /// Fetch into the cache what find() reads of a cell.
+    void
+    prefetch(const unsigned int cell) const
+    {
+      Sandglass::prefetch(cells[cell]);
+    }
+
+    /// The same for the cells around one that is in the cache.
+    void
+    prefetch_neighbors(const unsigned int cell) const
+    {
+      for (const int neighbor : cells[cell].neighbors)
+        if (neighbor >= 0)
+          prefetch(neighbor);
     }
 
     /// Where a point lies.

@@ -2,6 +2,7 @@
 #define sandglass_particles_particle_blocks_h
 
 #include <sandglass/base/lanes.h>
+#include <sandglass/base/prefetch.h>
 #include <sandglass/particles/parcel.h>
 
 #include <utility>
@@ -108,13 +109,10 @@ namespace Sandglass
     void
     prefetch(const unsigned int cell) const
     {
-      constexpr unsigned int line = 64; // bytes
       if (first[cell] == none)
         return;
-      __builtin_prefetch(&links[first[cell]], 1);
-      const char *start = reinterpret_cast<const char *>(&blocks[first[cell]]);
-      for (unsigned int byte = 0; byte < sizeof(ParticleBlock); byte += line)
-        __builtin_prefetch(start + byte, 1);
+      Sandglass::prefetch(links[first[cell]]);
+      Sandglass::prefetch(blocks[first[cell]]);
     }
 
     /// Copy a parcel's state, all but the cell, into a slot.

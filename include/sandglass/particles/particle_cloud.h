@@ -110,10 +110,6 @@ namespace Sandglass
     void
     update_handler(const CellIterator &cell);
 
-    void
-    insert_on_owners(const std::vector<Parcel> &parcels,
-                     std::vector<ParticleSlot> &arrivals);
-
     const Scene              &scene;
     std::vector<CellIterator> cells_all;
     std::vector<CellIterator> cells_owned;
