@@ -1,5 +1,6 @@
 """Runs the scenes that the documentation shows, where that has not been done
-since the program changed, and makes its tables, plots and pictures anew.
+since the program changed, and makes its tables, plots and pictures anew, and
+what the scenes say of their results.
 
 usage: make_results.py [--no-runs]   (called by ./dev figures)
 """
@@ -9,6 +10,7 @@ import sys
 
 import plots
 import tables
+from expectations import write_expectations
 from pages import fill_all
 from run_output import has_ended
 from runs import OUTPUT, ROOT, SILOS, all_runs, make_all
@@ -80,6 +82,7 @@ def main():
         make_all(all_runs())
     draw_pictures()
     fill_all(parts())
+    write_expectations()
 
 
 if __name__ == "__main__":

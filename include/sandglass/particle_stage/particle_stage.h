@@ -17,12 +17,13 @@
 
 namespace Sandglass
 {
-  /// How ranks have waited for the one with most particles, since the cells
-  /// were shared out.
+  /// How ranks have waited for the one with most work, since the cells were
+  /// shared out.
   struct Waiting
   {
     double total = 0.; ///< in particle-steps, beyond that at the start
-    /// Particles more than the mean at the start; negative: not known yet.
+    /// Its work beyond the mean at the start, see cell_work(); negative: not
+    /// known yet.
     double at_start = -1.;
 
     template <class Archive>

@@ -10,11 +10,13 @@ namespace Sandglass
   /**
    * After a step: whether ranks should share the cells out anew. As a silo
    * empties, the ranks at its top run out of particles, and wait at each step
-   * for those that have more; it is time when they have waited for longer than
-   * a new partition takes, for more particles than the partition could help at
-   * its start. Collective; costs nothing in most steps.
+   * for those that have more, or that have more of the flow; it is time when
+   * they have waited for longer than a new partition takes, for more work than
+   * the partition could help at its start. Collective; costs nothing in most
+   * steps.
    *
-   * Decided by counts, not by times, so that runs repeat exactly.
+   * Decided by what particles there are and how fast they are, not by times, so
+   * that runs repeat exactly.
    */
   bool
   is_balance_lost(ParticleStage &stage);

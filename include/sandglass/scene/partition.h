@@ -20,19 +20,22 @@ namespace Sandglass
   };
 
   /**
-   * What each cell costs in a step before any flow: the unit is a step's fixed
-   * part, of each cell.
+   * What a cell costs in a step, in particles at rest.
+   *
+   * @param n_particles  in the cell.
+   * @param n_leaving    of these, those that leave it in a step, on average.
    */
+  double
+  cell_work(const unsigned int n_particles, const double n_leaving = 0.);
+
+  /// The weights of a partition for cells that cost so much.
+  /// @param work  of each cell, as cell_work() tells it.
+  std::vector<unsigned int>
+  cell_weights(const std::vector<double> &work);
+
+  /// The same before any flow.
   std::vector<unsigned int>
   cell_weights(const Mesh &mesh, const unsigned int particles_per_cell);
-
-  /**
-   * The same where cells have come to hold so many particles.
-   *
-   * @param n_particles  in each cell.
-   */
-  std::vector<unsigned int>
-  cell_weights(const std::vector<unsigned int> &n_particles);
 
   /**
    * Make a triangulation of `mesh` as triangulate() does, of which each rank
