@@ -75,4 +75,8 @@ if(SANDGLASS_BUILD_BENCHMARKS)
   find_package(benchmark QUIET)
   sandglass_require(benchmark_FOUND
     "Google Benchmark (or -DSANDGLASS_BUILD_BENCHMARKS=OFF)" libbenchmark-dev)
+  find_path(VALGRIND_INCLUDE_DIR valgrind/callgrind.h)
+  mark_as_advanced(VALGRIND_INCLUDE_DIR)
+  sandglass_require(VALGRIND_INCLUDE_DIR
+    "valgrind's headers (or -DSANDGLASS_BUILD_BENCHMARKS=OFF)" valgrind)
 endif()

@@ -247,6 +247,10 @@ def times_of_parts(kind, refinement):
             for part in PARTS_OF_STEP}
 
 
+def total_time(kind, refinement):
+    return sum(time for time, _ in times_of_parts(kind, refinement).values())
+
+
 def parts_of_step(_):
     """The parts of a step with the program's defaults."""
     bandwidth = benchmarks()["limits/memory_bandwidth"]["bytes_per_second"]
@@ -263,12 +267,11 @@ def parts_of_step(_):
             number(fine[part][0], ".1f"),
             *(number(times_of_parts(kind, 1)[part][0], ".1f")
               for kind in KINDS[1:])])
-    lines.append(["all", *(number(sum(values), ".0f") for values in (
-        (time for time, _ in mesh_3.values()), counts.values(),
-        (moved for _, moved in mesh_3.values() if moved))), "",
-        number(sum(time for time, _ in fine.values()), ".0f"),
-        *(number(sum(time for time, _ in times_of_parts(kind, 1).values()),
-                 ".0f") for kind in KINDS[1:])])
+    lines.append(["all", number(total_time(KINDS[0], 1), ".0f"),
+                  number(sum(counts.values()), ".0f"), "", "",
+                  number(total_time(KINDS[0], REFINEMENTS[-1]), ".0f"),
+                  *(number(total_time(kind, 1), ".0f")
+                    for kind in KINDS[1:])])
     return markdown(
         ["part (steps of Section 4.4)", "ns", "instructions", "bytes",
          "% of the memory's limit", "ns, 1.3 million particles",
@@ -316,21 +319,22 @@ def whole_run(_):
     return markdown(["part of the run", "share of the time"], lines)
 
 
-def speed_up(pair):
-    """Of the loop, by the second run of a pair over the first."""
-    seconds = [run_output.read_summary(run.directory)["loop_seconds"]
-               for _, run in pair]
+def speed_up(pair, *parts):
+    """By the second run of a pair over the first, in these parts of both."""
+    seconds = [sum(run_output.read_summary(run.directory)[part + "_seconds"]
+                   for part in parts) for _, run in pair]
     return seconds[0] / seconds[1]
 
 
 def two_ranks(_):
-    factors = sorted(speed_up(pair) for pair in short_pairs())
+    factors = sorted(speed_up(pair, "loop") for pair in short_pairs())
     return (f"{statistics.median(factors):.2f} (of {len(factors)} pairs, "
             f"{factors[0]:.2f} to {factors[-1]:.2f})")
 
 
 def two_ranks_discharge(_):
-    return f"{speed_up(discharge_pair()):.2f}"
+    """New partitions are part of the set-up."""
+    return f"{speed_up(discharge_pair(), 'loop', 'setup'):.2f}"
 
 
 def set_up(_):
@@ -346,10 +350,8 @@ def set_up(_):
                      "peak memory, KiB per particle, all included"], lines)
 
 
-def scaling(rows):
-    plane = rows[:len(REFINEMENTS)]
-    return scaling_model.table(statistics.median(
-        row["ns_per_particle_step"] for row in plane))
+def scaling(_):
+    return scaling_model.table(total_time(KINDS[0], REFINEMENTS[-1]))
 
 
 def parts(rows):

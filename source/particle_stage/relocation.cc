@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/prefetch.h>
 #include <sandglass/particle_stage/relocation.h>
 
 #include <set>

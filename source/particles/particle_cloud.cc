@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/base/prefetch.h>
 #include <sandglass/particles/particle_cloud.h>
 
 #include <algorithm>

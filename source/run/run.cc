@@ -85,15 +85,15 @@ namespace Sandglass
     void
     flow(Part &part, TimerOutput &timings)
     {
-      while (!part.stage->is_finished())
+      // Looked at before a step, so that a run that goes on from a checkpoint
+      // looks at what the first run has looked at after writing it.
+      while (!part.stage->is_finished() && !is_balance_lost(*part.stage))
         {
           {
             TimerOutput::Scope scope(timings, Timing::particle_loop);
             part.stage->step();
           }
           part.observers.after_step(*part.stage);
-          if (is_balance_lost(*part.stage))
-            return;
         }
     }
 

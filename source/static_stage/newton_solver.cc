@@ -58,8 +58,9 @@ namespace Sandglass
     double
     linear_tolerance(const double residual_norm, const double residual_at_rest)
     {
-      return std::max(std::min(0.1, std::sqrt(residual_norm)),
-                      0.3 * residual_at_rest / residual_norm);
+      return std::min(0.1,
+                      std::max(std::sqrt(residual_norm),
+                               0.3 * residual_at_rest / residual_norm));
     }
 
 

@@ -113,9 +113,11 @@ namespace Sandglass
     const auto [stored_row, stored_column] = storage == Storage::rows ?
                                                std::pair(row, column) :
                                                std::pair(column, row);
-    values[find_position(matrix.LRID(static_cast<int>(stored_row)),
-                         matrix.LCID(static_cast<int>(stored_column)))] +=
-      value;
+    const unsigned int position =
+      find_position(matrix.LRID(static_cast<int>(stored_row)),
+                    matrix.LCID(static_cast<int>(stored_column)));
+    Assert(position != numbers::invalid_unsigned_int, ExcInternalError());
+    values[position] += value;
   }
 
 

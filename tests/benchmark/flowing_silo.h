@@ -10,7 +10,7 @@
  * The flat-bottomed silo of prm/paper/plane-flat-bottom-mesh-3.prm, plane or
  * axisymmetric, of triangles or quadrilaterals, and on finer meshes. The
  * material starts with the stress that its weight gives it, at rest; the
- * paper's step in proportion to the element size.
+ * paper's step in proportion to the element size, if it isn't automatic.
  */
 template <typename Setting>
 struct FlowingSilo : StageFixture

@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(LoadBalance, IsLostWhenRanksHaveWaitedForLong)
 {
   Silo silo;
-  // Work is the number of particles where none leaves its cell.
+  // So that no particle seems to leave its cell, only their number counts.
   silo.stage->clock.time_step = 0.;
   const bool is_alone = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
   const auto is_lost_within = [&](const unsigned int n_steps) {

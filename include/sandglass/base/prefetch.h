@@ -17,6 +17,7 @@ namespace Sandglass
     const char *const      start = reinterpret_cast<const char *>(&object);
     for (unsigned int byte = 0; byte < sizeof(T); byte += line)
       __builtin_prefetch(start + byte, 1);
+    __builtin_prefetch(start + sizeof(T) - 1, 1);
   }
 } // namespace Sandglass
 

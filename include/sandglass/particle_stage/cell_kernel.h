@@ -1,6 +1,7 @@
 #ifndef sandglass_particle_stage_cell_kernel_h
 #define sandglass_particle_stage_cell_kernel_h
 
+#include <sandglass/base/prefetch.h>
 #include <sandglass/particle_stage/nodal_fields.h>
 #include <sandglass/particles/cell_geometry.h>
 #include <sandglass/particles/particle_cloud.h>

@@ -98,8 +98,8 @@ namespace Sandglass
       // Step 10
       clock.time += clock.time_step;
       ++clock.step;
-      check_speed();
       begin(StepPart::order);
+      check_speed();
       cloud.change_blocks().sort_if_mixed();
       begin(StepPart::done);
     }

@@ -2,14 +2,15 @@
 #define sandglass_particle_stage_step_part_h
 
 #include <array>
+#include <cstddef>
 
 namespace Sandglass
 {
   /// What a step of the particle stage consists of, in this order.
   enum class StepPart
   {
-    mass_matrix,       ///< step 2, where it isn't lumped
-    time_step,         ///< the critical one, from time to time
+    mass_matrix,       ///< step 2, where it isn't lumped or particles are new
+    time_step,         ///< the critical one from time to time, its signs always
     nodal_equations,   ///< steps 2, 4 and 5, contact included
     velocity_map,      ///< step 7
     volumetric_strain, ///< averaged over cells
@@ -17,7 +18,7 @@ namespace Sandglass
     relocation,        ///< of particles that have left their cells
     splitting,         ///< of those that fill too many cells
     sums_at_nodes,     ///< steps 2 to 4, from the cells
-    order,             ///< of the particles in memory
+    order,             ///< of the particles in memory; their largest speed
     done               ///< the step's end
   };
 
@@ -32,6 +33,10 @@ namespace Sandglass
      "splitting",
      "sums_at_nodes",
      "order"}};
+
+  static_assert(step_part_names.size() ==
+                  static_cast<std::size_t>(StepPart::done),
+                "each part has a name");
 
   /// Who wants to know where a step's time goes, as benchmarks do.
   class StepWatcher

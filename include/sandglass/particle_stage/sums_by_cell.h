@@ -2,6 +2,7 @@
 #define sandglass_particle_stage_sums_by_cell_h
 
 #include <sandglass/base/instruction_sets.h>
+#include <sandglass/base/prefetch.h>
 #include <sandglass/particle_stage/cell_kernel.h>
 #include <sandglass/particles/cell_geometry.h>
 #include <sandglass/particles/particle_state.h>

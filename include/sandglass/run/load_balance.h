@@ -8,12 +8,12 @@
 namespace Sandglass
 {
   /**
-   * After a step: whether ranks should share the cells out anew. As a silo
-   * empties, the ranks at its top run out of particles, and wait at each step
-   * for those that have more, or that have more of the flow; it is time when
-   * they have waited for longer than a new partition takes, for more work than
-   * the partition could help at its start. Collective; costs nothing in most
-   * steps.
+   * Between steps, once: whether ranks should share the cells out anew. As a
+   * silo empties, the ranks at its top run out of particles, and wait at each
+   * step for those that have more, or that have more of the flow; it is time
+   * when they have waited for longer than a new partition takes, for more work
+   * than the partition could help at its start. Collective; costs nothing in
+   * most steps.
    *
    * Decided by what particles there are and how fast they are, not by times, so
    * that runs repeat exactly.

@@ -19,9 +19,8 @@ namespace Sandglass
     using CellMatrix = Eigen::Matrix<double, n_dofs, n_dofs>;
 
     /// @param gradient    of node v's shape function at the point, in 1/m.
-    /// @param hoop_share  the shape function over the radius, in 1/m; 0 in
-    /// plane
-    ///                    strain.
+    /// @param hoop_share  the shape function over the radius, in 1/m; 0 without
+    ///                    hoop strain.
     void
     set_node(const unsigned int     v,
              const Eigen::Vector2d &gradient,
