@@ -8,7 +8,8 @@ namespace Sandglass
   constexpr unsigned int prefetch_distance = 8;
 
   /// Fetch an object into the cache, where the processor doesn't foresee that
-  /// it is needed soon.
+  /// it is needed soon. Of one that doesn't begin with a line the end may be
+  /// left out: to fetch a line more costs more than it gains.
   template <typename T>
   void
   prefetch(const T &object)
@@ -17,7 +18,6 @@ namespace Sandglass
     const char *const      start = reinterpret_cast<const char *>(&object);
     for (unsigned int byte = 0; byte < sizeof(T); byte += line)
       __builtin_prefetch(start + byte, 1);
-    __builtin_prefetch(start + sizeof(T) - 1, 1);
   }
 } // namespace Sandglass
 
