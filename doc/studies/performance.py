@@ -1,5 +1,6 @@
 """How fast the particle stage is beside a plain loop and the machine's limits,
 what else a run costs, and a model of what MPI will cost."""
+import itertools
 import json
 import os
 import re
@@ -16,6 +17,7 @@ import scaling_model
 NAME = "performance"
 SCENE = auto_scene("plane-flat-bottom", 3)
 ELEMENT_SIZE = 0.025  # of mesh 3, in m
+REPETITIONS = 9  # of what is timed as a whole; medians count
 REFINEMENTS = (1, 2, 4, 8)
 BENCH = ROOT / "build" / "bench" / "particle_loop.json"
 CALLGRIND = output_of(NAME) / "callgrind.out"
@@ -34,12 +36,13 @@ PARTS_OF_STEP = {
     "order": "order in memory"}
 
 
-def discharge_run(has_files=True):
-    """With all outputs; the scene's interval is the program's default."""
-    if has_files:
-        return study_run(NAME, "discharge", SCENE, ())
-    return study_run(NAME, "discharge-without-files", SCENE, ())._replace(
-        settings=WITHOUT_OUTPUT)
+def discharge_runs(has_files):
+    """With all outputs, or without VTU files; the scene's interval is the
+    program's default."""
+    name = "discharge" if has_files else "discharge-without-files"
+    return [study_run(NAME, f"{name}-{repetition}", SCENE, ())._replace(
+        settings=() if has_files else WITHOUT_OUTPUT)
+            for repetition in range(REPETITIONS)]
 
 
 def start_run(refinement, particles_per_cell=4, with_output=False):
@@ -86,7 +89,7 @@ def short_pairs():
     return [[rank_run(n_ranks, 4, pair, ("Static stage/Enabled", "false"),
                       ("Particle stage/End time", 0.05))
              for n_ranks in (1, 2)]
-            for pair in range(5)]
+            for pair in range(REPETITIONS)]
 
 
 def discharge_pair():
@@ -129,7 +132,8 @@ def count_parts():
     subprocess.run(
         ["valgrind", "--tool=callgrind", "--instr-atstart=no",
          f"--callgrind-out-file={CALLGRIND_PARTS}",
-         str(ROOT / "build" / "release" / "benchmarks" / "bench_particle_loop"),
+         str(ROOT / "build" / "release" / "benchmarks" /
+             "bench_particle_loop"),
          f"--benchmark_filter=counted_parts/{KINDS[0]}",
          "--benchmark_format=json",
          f"--benchmark_out={CALLGRIND_PARTS}.json"],
@@ -138,7 +142,8 @@ def count_parts():
 
 def make_runs():
     """One after the other, for their times."""
-    for run in [discharge_run(), discharge_run(has_files=False),
+    alternating = zip(discharge_runs(True), discharge_runs(False))
+    for run in [*itertools.chain.from_iterable(alternating),
                 *memory_runs(False), *memory_runs(True),
                 *(start_run(refinement) for refinement in REFINEMENTS)]:
         make(run)
@@ -305,18 +310,30 @@ def element_memory(_):
     return f"{per_element / 1024:.1f} KiB"
 
 
+def whole_run_shares(with_files, without_files):
+    """Of the parts in the sum of all."""
+    seconds, without = (
+        {part: summary[part + "_seconds"]
+         for part in ("setup", "static", "loop", "output")}
+        for summary in (run_output.read_summary(run.directory)
+                        for run in (with_files, without_files)))
+    whole = sum(seconds.values())
+    seconds["files"] = seconds["output"] - without["output"]
+    return {part: value / whole for part, value in seconds.items()}
+
+
 def whole_run(_):
-    summary, without_files = (
-        run_output.read_summary(run.directory)
-        for run in (discharge_run(), discharge_run(has_files=False)))
-    parts = (("set-up", "setup_seconds"), ("static stage", "static_seconds"),
-             ("particle stage", "loop_seconds"), ("output", "output_seconds"))
-    whole = sum(summary[key] for _, key in parts)
-    lines = [[title, f"{100 * summary[key] / whole:.1f} %"]
-             for title, key in parts]
-    files = summary["output_seconds"] - without_files["output_seconds"]
-    lines.append(["of it, VTU files", f"{100 * files / whole:.1f} %"])
-    return markdown(["part of the run", "share of the time"], lines)
+    titles = {"setup": "set-up", "static": "static stage",
+              "loop": "particle stage", "output": "output",
+              "files": "of it, VTU files"}
+    shares = [whole_run_shares(*runs) for runs in
+              zip(discharge_runs(True), discharge_runs(False))]
+    lines = []
+    for part, title in titles.items():
+        values = sorted(share[part] for share in shares)
+        lines.append([title, f"{100 * statistics.median(values):.1f} %",
+                      f"{100 * values[0]:.1f} to {100 * values[-1]:.1f} %"])
+    return markdown(["part of the run", "share of the time", "range"], lines)
 
 
 def speed_up(pair, *parts):
