@@ -29,8 +29,7 @@ def outcome(run, summary):
 
 def expectation(run, summary):
     unit = "kg/(s m)" if run.scene.startswith("plane") else "kg/s"
-    seconds = sum(summary[part + "_seconds"]
-                  for part in ("setup", "static", "loop", "output"))
+    seconds = run_output.seconds_of(summary, *run_output.RUN_PARTS)
     plateau = float(f"{summary['flow_rate_plateau_kg_per_s']:.3g}")
     return (f"Expect: about {plateau:g} {unit} on the plateau, "
             f"{outcome(run, summary)}; {time_in_words(seconds)} on one core.")

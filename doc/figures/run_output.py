@@ -4,6 +4,8 @@ import json
 import math
 import re
 
+RUN_PARTS = ("setup", "static", "loop", "output")  # all of a run
+
 
 def has_ended(directory):
     """Whether its run came to an end, the scene's or that of a breakdown."""
@@ -52,6 +54,11 @@ def discharge_time(directory):
         if time > 0 and mass <= 0:
             return time
     return None
+
+
+def seconds_of(summary, *parts):
+    """What these parts of a run have taken in all."""
+    return sum(summary[part + "_seconds"] for part in parts)
 
 
 def time_until(directory, share):

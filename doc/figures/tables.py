@@ -153,8 +153,7 @@ def run_time(directory):
     summary = summary_of(directory)
     if summary is None:
         return "–"
-    total = sum(summary[part + "_seconds"] for part in
-                ("setup", "static", "loop", "output"))
+    total = run_output.seconds_of(summary, *run_output.RUN_PARTS)
     return f"{total:.0f} s for {summary['end_time_s']:.3g} s"
 
 

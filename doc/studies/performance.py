@@ -314,7 +314,7 @@ def whole_run_shares(with_files, without_files):
     """Of the parts in the sum of all."""
     seconds, without = (
         {part: summary[part + "_seconds"]
-         for part in ("setup", "static", "loop", "output")}
+         for part in run_output.RUN_PARTS}
         for summary in (run_output.read_summary(run.directory)
                         for run in (with_files, without_files)))
     whole = sum(seconds.values())
@@ -338,8 +338,8 @@ def whole_run(_):
 
 def speed_up(pair, *parts):
     """By the second run of a pair over the first, in these parts of both."""
-    seconds = [sum(run_output.read_summary(run.directory)[part + "_seconds"]
-                   for part in parts) for _, run in pair]
+    seconds = [run_output.seconds_of(
+        run_output.read_summary(run.directory), *parts) for _, run in pair]
     return seconds[0] / seconds[1]
 
 

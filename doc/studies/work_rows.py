@@ -14,8 +14,8 @@ def work_row(key, method, element, mesh, directory, measured):
            "steps": summary["steps"],
            "particle_steps": summary["particle_steps"],
            "loop_seconds": summary["loop_seconds"],
-           "all_seconds": sum(summary[part + "_seconds"] for part in
-                              ("setup", "static", "loop")),
+           "all_seconds": run_output.seconds_of(summary, "setup", "static",
+                                                "loop"),
            **{quantity: None for quantity in MEASURED}}
     if summary["status"] == "finished":
         row.update(measured(directory))

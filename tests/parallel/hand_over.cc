@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 
+#include "imbalance.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
@@ -146,17 +147,10 @@ TEST_P(HandOver, SharesWorkOutEvenly)
     handler.remove_particles(above);
   });
 
-  const auto weights   = cell_weights(*silo.stage);
-  const auto imbalance = [&]() {
-    double own = 0.;
-    for (const auto &cell : silo.stage->cloud.owned_cells())
-      own += weights[cell->active_cell_index()];
-    const auto shares = Utilities::MPI::min_max_avg(own, MPI_COMM_WORLD);
-    return shares.max / shares.avg;
-  };
-  const double before = imbalance();
+  const auto   weights = cell_weights(*silo.stage);
+  const double before  = imbalance(*silo.scene, weights);
   silo.move_to(weights);
-  EXPECT_LT(imbalance(), 1.1);
+  EXPECT_LT(imbalance(*silo.scene, weights), 1.1);
   if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
     {
       EXPECT_GT(before, 1.3);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "imbalance.h"
+
 using namespace Sandglass;
 
 namespace
@@ -16,18 +18,6 @@ namespace
     silo.cell_type    = CellType::quadrilateral;
     silo.element_size = 0.05;
     return make_mesh(silo, MPI_COMM_WORLD);
-  }
-
-  /// The largest of the ranks' shares of the weights over their mean.
-  double
-  imbalance(const Scene &scene)
-  {
-    double own = 0.;
-    for (const auto &cell : scene.triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        own += scene.cell_weights[cell->active_cell_index()];
-    const auto shares = Utilities::MPI::min_max_avg(own, MPI_COMM_WORLD);
-    return shares.max / shares.avg;
   }
 
   class Partition : public testing::TestWithParam<Partitioner>
@@ -51,7 +41,7 @@ namespace
 // Particles, not cells: a fall region of a third of the cells has none.
 TEST_P(Partition, SharesParticlesOutEvenly)
 {
-  EXPECT_LT(imbalance(scene), 1.1);
+  EXPECT_LT(imbalance(scene, scene.cell_weights), 1.1);
 }
 
 

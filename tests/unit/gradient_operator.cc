@@ -26,6 +26,7 @@ namespace
         H[GradientComponent::hoop] = 0.;
       moved = at_start;
       moved.move_reference(H);
+      u = random<n_dofs, 1>();
     }
 
     template <int n_rows, int n_columns>
@@ -40,6 +41,8 @@ namespace
     std::uniform_real_distribution<double> uniform{-1., 1.};
     Gradient5                              H;
     GradientOperator                       at_start, moved;
+    /// Displacement increments of the nodes, random as well.
+    Eigen::Matrix<double, n_dofs, 1> u;
   };
 
 
@@ -61,22 +64,20 @@ namespace
   void
   check_adjoint_and_stiffness(const bool has_hoop)
   {
-    MovedOperator<n_dofs>                  cell(has_hoop);
-    const Eigen::Matrix<double, n_dofs, 1> u =
-      cell.template random<n_dofs, 1>();
-    const Gradient5 stress   = cell.template random<5, 1>();
-    const Matrix5   tangent  = cell.template random<5, 5>();
-    const Gradient5 gradient = cell.moved.template gradient<n_dofs>(u);
+    MovedOperator<n_dofs> cell(has_hoop);
+    const Gradient5       stress  = cell.template random<5, 1>();
+    const Matrix5         tangent = cell.template random<5, 5>();
+    const Gradient5 gradient = cell.moved.template gradient<n_dofs>(cell.u);
 
     EXPECT_EQ(gradient[GradientComponent::hoop] != 0., has_hoop);
-    EXPECT_NEAR(cell.moved.template nodal_forces<n_dofs>(stress).dot(u) /
+    EXPECT_NEAR(cell.moved.template nodal_forces<n_dofs>(stress).dot(cell.u) /
                   stress.dot(gradient),
                 1.,
                 1e-12);
     const Eigen::Matrix<double, n_dofs, 1> forces =
       cell.moved.template nodal_forces<n_dofs>(tangent * gradient);
     EXPECT_LT(
-      (cell.moved.template stiffness<n_dofs>(tangent) * u - forces).norm(),
+      (cell.moved.template stiffness<n_dofs>(tangent) * cell.u - forces).norm(),
       1e-12 * forces.norm());
   }
 
@@ -88,11 +89,9 @@ namespace
   void
   check_move(const bool has_hoop)
   {
-    MovedOperator<n_dofs>                  cell(has_hoop);
-    const Eigen::Matrix<double, n_dofs, 1> u =
-      cell.template random<n_dofs, 1>();
-    const Gradient5 before = cell.at_start.template gradient<n_dofs>(u);
-    const Gradient5 after  = cell.moved.template gradient<n_dofs>(u);
+    MovedOperator<n_dofs> cell(has_hoop);
+    const Gradient5 before = cell.at_start.template gradient<n_dofs>(cell.u);
+    const Gradient5 after  = cell.moved.template gradient<n_dofs>(cell.u);
 
     const Eigen::Matrix2d F = Eigen::Matrix2d::Identity() + in_plane(cell.H);
     EXPECT_LT((in_plane(after) * F - in_plane(before)).norm(), 1e-13);
