@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/observers/banner.h>
+#include <sandglass/output/banner.h>
 #include <sandglass/run/parameter_file.h>
 #include <sandglass/run/run.h>
 

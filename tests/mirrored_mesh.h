@@ -35,12 +35,12 @@ mirrored(const Sandglass::Mesh &half)
       whole.cells.push_back(cell);
     }
 
-  whole.edges.clear();
-  for (const Mesh::Edge &edge : half.edges)
+  whole.faces.clear();
+  for (const Mesh::Face &edge : half.faces)
     if (edge.role != BoundaryRole::axis)
       {
-        whole.edges.push_back(edge);
-        whole.edges.push_back(
+        whole.faces.push_back(edge);
+        whole.faces.push_back(
           {{{image[edge.vertices[0]], image[edge.vertices[1]]}}, edge.role});
       }
   sort_along_curve(whole);

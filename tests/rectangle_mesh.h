@@ -65,13 +65,13 @@ struct Rectangle
 
     for (unsigned int i = 0; i < n_x; ++i)
       {
-        result.edges.push_back({{{vertex(i, 0), vertex(i + 1, 0)}}, bottom});
-        result.edges.push_back({{{vertex(i, n_y), vertex(i + 1, n_y)}}, top});
+        result.faces.push_back({{{vertex(i, 0), vertex(i + 1, 0)}}, bottom});
+        result.faces.push_back({{{vertex(i, n_y), vertex(i + 1, n_y)}}, top});
       }
     for (unsigned int j = 0; j < n_y; ++j)
       {
-        result.edges.push_back({{{vertex(0, j), vertex(0, j + 1)}}, left});
-        result.edges.push_back({{{vertex(n_x, j), vertex(n_x, j + 1)}}, right});
+        result.faces.push_back({{{vertex(0, j), vertex(0, j + 1)}}, left});
+        result.faces.push_back({{{vertex(n_x, j), vertex(n_x, j + 1)}}, right});
       }
     return result;
   }

@@ -2,7 +2,7 @@
 #define sandglass_tests_rest_h
 
 #include <sandglass/run/static_to_particles.h>
-#include <sandglass/static_stage/static_stage.h>
+#include <sandglass/flow/updated_lagrangian/static_stage.h>
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 #ifndef sandglass_tests_stage_fixture_h
 #define sandglass_tests_stage_fixture_h
 
-#include <sandglass/particle_stage/particle_stage.h>
+#include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include <cmath>
 #include <iomanip>

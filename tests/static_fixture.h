@@ -6,7 +6,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/static_stage/static_stage.h>
+#include <sandglass/flow/updated_lagrangian/static_stage.h>
 
 #include <memory>
 #include <sstream>

@@ -1,5 +1,3 @@
-#include <deal.II/base/numbers.h>
-
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/material/material_parameters.h>
 
@@ -10,12 +8,12 @@ namespace Sandglass
   {
     using Bounds = BoundedNumber;
 
-    add_selection<Model>(*this,
-                         "Model",
-                         model,
-                         {{"Drucker-Prager", Model::drucker_prager}},
-                         "Constitutive law: cohesionless Drucker-Prager with "
-                         "incompressible plastic flow.");
+    add_text(*this,
+             "Model",
+             model,
+             dealii::Patterns::Selection(names_of(AllLaws())),
+             "Constitutive law: cohesionless Drucker-Prager with "
+             "incompressible plastic flow.");
     add_number(*this,
                "Density",
                density,
@@ -48,11 +46,4 @@ namespace Sandglass
                               "Objective stress rate.");
   }
 
-
-
-  DruckerPrager
-  MaterialParameters::drucker_prager() const
-  {
-    return {elasticity(), internal_friction_angle * dealii::numbers::PI / 180.};
-  }
 } // namespace Sandglass

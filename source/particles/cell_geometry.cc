@@ -3,7 +3,7 @@
 namespace Sandglass
 {
   template <CellType cell_type>
-  CellGeometry<cell_type>::CellGeometry(const Scene &scene)
+  CellGeometry<cell_type>::CellGeometry(const Scene<dim> &scene)
     : cells(scene.triangulation.n_active_cells())
   {
     std::vector<types::global_dof_index> dof_indices(Shape::n_nodes);
@@ -39,7 +39,7 @@ namespace Sandglass
   CellGeometry<cell_type>::find(const Point<dim>  &point,
                                 const unsigned int start_cell) const
   {
-    if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
+    if (!std::isfinite(point.square()))
       return {Location::Kind::invalid, start_cell, point, 0, BoundaryRole::top};
 
     unsigned int cell = start_cell;

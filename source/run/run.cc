@@ -1,12 +1,12 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/observers/banner.h>
-#include <sandglass/observers/observers.h>
-#include <sandglass/observers/output_directory.h>
+#include <sandglass/output/banner.h>
+#include <sandglass/output/observers.h>
+#include <sandglass/output/output_directory.h>
 #include <sandglass/run/load_balance.h>
 #include <sandglass/run/run.h>
 #include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/static_stage/static_stage.h>
+#include <sandglass/flow/updated_lagrangian/static_stage.h>
 
 #include <optional>
 

@@ -1,8 +1,9 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/choices.h>
 #include <sandglass/base/exceptions.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/scene/silo_geometry.h>
+#include <sandglass/scene/silo_section.h>
 
 #include <gmsh.h>
 
@@ -36,7 +37,7 @@ namespace Sandglass
 
 
     void
-    generate(const SceneParameters &parameters)
+    generate(const SceneParameters &parameters, const int dimension)
     {
       const int algorithm =
         parameters.mesh_algorithm ==
@@ -47,21 +48,26 @@ namespace Sandglass
           1;
       gmsh::option::setNumber("Mesh.Algorithm", algorithm);
       gmsh::option::setNumber("Mesh.RandomSeed", parameters.mesh_seed);
-      gmsh::model::mesh::generate(2);
+      gmsh::model::mesh::generate(dimension);
     }
 
 
 
+    template <int dim>
     void
-    take_vertices(Mesh &mesh, std::map<std::size_t, unsigned int> &index_of)
+    take_vertices(Mesh<dim> &mesh, std::map<std::size_t, unsigned int> &index_of)
     {
       std::vector<std::size_t> tags;
       std::vector<double>      coordinates, unused;
       gmsh::model::mesh::getNodes(tags, coordinates, unused);
       for (std::size_t i = 0; i < tags.size(); ++i)
         if (index_of.emplace(tags[i], mesh.vertices.size()).second)
-          mesh.vertices.emplace_back(coordinates[3 * i],
-                                     coordinates[3 * i + 1]);
+          {
+            dealii::Point<dim> vertex;
+            for (unsigned int d = 0; d < dim; ++d)
+              vertex[d] = coordinates[3 * i + d];
+            mesh.vertices.push_back(vertex);
+          }
     }
 
 
@@ -87,13 +93,25 @@ namespace Sandglass
 
 
 
-    constexpr int gmsh_line = 1, gmsh_triangle = 2, gmsh_quadrangle = 3;
+    /// Gmsh's number of the element type with so many nodes in a dimension.
+    int
+    gmsh_type(const int dimension, const unsigned int n_nodes)
+    {
+      const std::string names[]{"", "Line", "Triangle", "Tetrahedron"};
+      const std::string cubes[]{"", "Line", "Quadrangle", "Hexahedron"};
+      const bool is_simplex = n_nodes == static_cast<unsigned int>(dimension) + 1;
+      return gmsh::model::mesh::getElementType(
+        is_simplex ? names[dimension] : cubes[dimension], 1);
+    }
+
+
 
     /// Read what Gmsh's current model holds into a Mesh.
-    Mesh
+    template <int dim>
+    Mesh<dim>
     take_mesh(const CellType cell_type)
     {
-      Mesh mesh;
+      Mesh<dim> mesh;
       mesh.cell_type = cell_type;
       std::map<std::size_t, unsigned int> index_of;
       take_vertices(mesh, index_of);
@@ -104,31 +122,36 @@ namespace Sandglass
         {
           std::string name;
           gmsh::model::getPhysicalName(dimension, group, name);
-          if (dimension == 1)
+          if (dimension == dim - 1)
             {
               const auto role = std::find(boundary_role_names.begin(),
                                           boundary_role_names.end(),
                                           name);
               if (role == boundary_role_names.end())
                 continue;
-              const auto nodes = element_nodes(1, group, gmsh_line);
-              for (std::size_t i = 0; i < nodes.size(); i += 2)
-                mesh.edges.push_back(
-                  {{{index_of.at(nodes[i]), index_of.at(nodes[i + 1])}},
-                   static_cast<BoundaryRole>(role -
-                                             boundary_role_names.begin() + 1)});
+              const unsigned int n = mesh.vertices_per_face();
+              const auto         nodes =
+                element_nodes(dimension, group, gmsh_type(dimension, n));
+              for (std::size_t i = 0; i < nodes.size(); i += n)
+                {
+                  typename Mesh<dim>::Face face{
+                    {},
+                    static_cast<BoundaryRole>(
+                      role - boundary_role_names.begin() + 1)};
+                  for (unsigned int v = 0; v < n; ++v)
+                    face.vertices[v] = index_of.at(nodes[i + v]);
+                  mesh.faces.push_back(face);
+                }
             }
-          else if (dimension == 2 &&
+          else if (dimension == dim &&
                    (name == material_group || name == fall_region_group))
             {
               const unsigned int n = mesh.vertices_per_cell();
               const auto         nodes =
-                element_nodes(2,
-                              group,
-                              n == 3 ? gmsh_triangle : gmsh_quadrangle);
+                element_nodes(dimension, group, gmsh_type(dimension, n));
               for (std::size_t i = 0; i < nodes.size(); i += n)
                 {
-                  Mesh::Cell cell{{{0, 0, 0, 0}}, name == material_group};
+                  typename Mesh<dim>::Cell cell{{}, name == material_group};
                   for (unsigned int v = 0; v < n; ++v)
                     cell.vertices[v] = index_of.at(nodes[i + v]);
                   mesh.cells.push_back(cell);
@@ -140,15 +163,16 @@ namespace Sandglass
 
 
 
+    template <int dim>
     void
-    check_mesh_file(const Mesh &mesh, const std::string &filename)
+    check_mesh_file(const Mesh<dim> &mesh, const std::string &filename)
     {
       const auto refuse = [&filename](const std::string &what) {
         throw InputError("Scene", "Mesh file", filename, what);
       };
       if (std::none_of(mesh.cells.begin(),
                        mesh.cells.end(),
-                       [](const Mesh::Cell &cell) { return cell.is_filled; }))
+                       [](const typename Mesh<dim>::Cell &cell) { return cell.is_filled; }))
         refuse(std::string("the mesh has no ") +
                (mesh.cell_type == CellType::triangle ? "triangles" :
                                                        "quadrilaterals") +
@@ -156,9 +180,9 @@ namespace Sandglass
                "with the surfaces 'material' and, below an open outlet, "
                "'fall_region'");
       for (const BoundaryRole role : {BoundaryRole::outlet, BoundaryRole::wall})
-        if (std::none_of(mesh.edges.begin(),
-                         mesh.edges.end(),
-                         [role](const Mesh::Edge &edge) {
+        if (std::none_of(mesh.faces.begin(),
+                         mesh.faces.end(),
+                         [role](const typename Mesh<dim>::Face &edge) {
                            return edge.role == role;
                          }))
           refuse("the mesh has no physical line named '" +
@@ -170,18 +194,20 @@ namespace Sandglass
 
 
 
-  Mesh
-  mesh_silo(const SceneParameters &parameters)
+  template <>
+  Mesh<2>
+  mesh_silo<2>(const SceneParameters &parameters)
   {
     GmshSession session;
-    add_silo_geometry(parameters);
-    generate(parameters);
-    return take_mesh(parameters.cell_type);
+    add_silo_section(parameters);
+    generate(parameters, 2);
+    return take_mesh<2>(parameters.cell_type);
   }
 
 
 
-  Mesh
+  template <int dim>
+  Mesh<dim>
   read_mesh(const std::string &filename, const CellType cell_type)
   {
     GmshSession session;
@@ -197,26 +223,27 @@ namespace Sandglass
                          "Gmsh can't read it (" + std::string(error.what()) +
                            "); allowed is a mesh in Gmsh's .msh format");
       }
-    Mesh mesh = take_mesh(cell_type);
+    Mesh<dim> mesh = take_mesh<dim>(cell_type);
     check_mesh_file(mesh, filename);
     return mesh;
   }
 
 
 
-  Mesh
+  template <int dim>
+  Mesh<dim>
   make_mesh(const SceneParameters &parameters, const MPI_Comm communicator)
   {
     using namespace dealii;
     // Errors travel with the mesh, so that each rank throws the same one.
-    std::pair<Mesh, std::array<std::string, 3>> result;
+    std::pair<Mesh<dim>, std::array<std::string, 3>> result;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       try
         {
           result.first =
             parameters.shape == SceneParameters::Shape::silo ?
-              mesh_silo(parameters) :
-              read_mesh(parameters.mesh_file, parameters.cell_type);
+              mesh_silo<dim>(parameters) :
+              read_mesh<dim>(parameters.mesh_file, parameters.cell_type);
           sort_along_curve(result.first);
         }
       catch (const InputError &error)
@@ -230,4 +257,12 @@ namespace Sandglass
       throw InputError(message, section, name);
     return result.first;
   }
+
+
+
+#define INSTANTIATE(dim) \
+  template Mesh<dim> read_mesh<dim>(const std::string &, const CellType); \
+  template Mesh<dim> make_mesh<dim>(const SceneParameters &, const MPI_Comm);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

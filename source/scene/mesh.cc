@@ -1,8 +1,10 @@
 #include <deal.II/base/exceptions.h>
 
+#include <sandglass/choices.h>
 #include <sandglass/scene/mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 
@@ -12,22 +14,26 @@ namespace Sandglass
   {
     constexpr unsigned int unused = static_cast<unsigned int>(-1);
 
-    /// Spread the low 32 bits of `value` to the even bits of the result.
+    /// Place on a Morton curve of a cell of a regular grid: the bits of its
+    /// coordinates by turns, as many as 64 bits hold of each.
+    template <int dim>
     std::uint64_t
-    spread_bits(std::uint64_t value)
+    morton_key(const std::array<std::uint32_t, dim> &coordinates)
     {
-      value &= 0xffffffffu;
-      value = (value | (value << 16)) & 0x0000ffff0000ffffu;
-      value = (value | (value << 8)) & 0x00ff00ff00ff00ffu;
-      value = (value | (value << 4)) & 0x0f0f0f0f0f0f0f0fu;
-      value = (value | (value << 2)) & 0x3333333333333333u;
-      value = (value | (value << 1)) & 0x5555555555555555u;
-      return value;
+      std::uint64_t key = 0;
+      for (unsigned int bit = 0; bit < 64 / dim; ++bit)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (bit < 32 && (coordinates[d] >> bit & 1u) != 0)
+            key |= std::uint64_t(1) << (dim * bit + d);
+      return key;
     }
 
+
+
     /// Renumber the vertices in the order in which the cells meet them.
+    template <int dim>
     void
-    number_vertices_by_cell(Mesh &mesh)
+    number_vertices_by_cell(Mesh<dim> &mesh)
     {
       std::vector<unsigned int>       new_index(mesh.vertices.size(), unused);
       std::vector<dealii::Point<dim>> vertices;
@@ -43,25 +49,30 @@ namespace Sandglass
             cell.vertices[v] = index;
           }
 
-      std::vector<Mesh::Edge> edges;
-      for (Mesh::Edge edge : mesh.edges)
+      std::vector<typename Mesh<dim>::Face> faces;
+      for (typename Mesh<dim>::Face face : mesh.faces)
         {
-          for (unsigned int &vertex : edge.vertices)
-            vertex = new_index[vertex];
-          if (edge.vertices[0] != unused && edge.vertices[1] != unused)
-            edges.push_back(edge);
+          bool remains = true;
+          for (unsigned int v = 0; v < mesh.vertices_per_face(); ++v)
+            {
+              face.vertices[v] = new_index[face.vertices[v]];
+              remains          = remains && face.vertices[v] != unused;
+            }
+          if (remains)
+            faces.push_back(face);
         }
       mesh.vertices = std::move(vertices);
-      mesh.edges    = std::move(edges);
+      mesh.faces    = std::move(faces);
     }
   } // namespace
 
 
 
-  Mesh
-  filled_part(const Mesh &mesh, std::vector<unsigned int> &cell_indices)
+  template <int dim>
+  Mesh<dim>
+  filled_part(const Mesh<dim> &mesh, std::vector<unsigned int> &cell_indices)
   {
-    Mesh part = mesh;
+    Mesh<dim> part = mesh;
     part.cells.clear();
     cell_indices.clear();
     for (unsigned int i = 0; i < mesh.cells.size(); ++i)
@@ -76,8 +87,9 @@ namespace Sandglass
 
 
 
+  template <int dim>
   void
-  sort_along_curve(Mesh &mesh)
+  sort_along_curve(Mesh<dim> &mesh)
   {
     dealii::Point<dim> lower = mesh.vertices.at(0), upper = lower;
     for (const auto &vertex : mesh.vertices)
@@ -86,7 +98,9 @@ namespace Sandglass
           lower[d] = std::min(lower[d], vertex[d]);
           upper[d] = std::max(upper[d], vertex[d]);
         }
-    const double extent = std::max(upper[0] - lower[0], upper[1] - lower[1]);
+    double extent = 0.;
+    for (unsigned int d = 0; d < dim; ++d)
+      extent = std::max(extent, upper[d] - lower[d]);
 
     std::vector<std::uint64_t> keys;
     keys.reserve(mesh.cells.size());
@@ -96,10 +110,11 @@ namespace Sandglass
         for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
           center += (mesh.vertices[cell.vertices[v]] - lower) /
                     (extent * mesh.vertices_per_cell());
-        constexpr double resolution = 1 << 20;
-        keys.push_back(
-          spread_bits(static_cast<std::uint64_t>(center[0] * resolution)) |
-          spread_bits(static_cast<std::uint64_t>(center[1] * resolution)) << 1);
+        constexpr double               resolution = 1 << 20;
+        std::array<std::uint32_t, dim> coordinates;
+        for (unsigned int d = 0; d < dim; ++d)
+          coordinates[d] = static_cast<std::uint32_t>(center[d] * resolution);
+        keys.push_back(morton_key<dim>(coordinates));
       }
 
     std::vector<unsigned int> order(mesh.cells.size());
@@ -110,11 +125,19 @@ namespace Sandglass
                        return keys[a] < keys[b];
                      });
 
-    std::vector<Mesh::Cell> cells;
+    std::vector<typename Mesh<dim>::Cell> cells;
     cells.reserve(mesh.cells.size());
     for (const unsigned int i : order)
       cells.push_back(mesh.cells[i]);
     mesh.cells = std::move(cells);
     number_vertices_by_cell(mesh);
   }
+
+
+
+#define INSTANTIATE(dim) \
+  template Mesh<dim> filled_part<dim>(const Mesh<dim> &, std::vector<unsigned int> &); \
+  template void sort_along_curve<dim>(Mesh<dim> &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -3,6 +3,7 @@
 #include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
 
+#include <sandglass/choices.h>
 #include <sandglass/scene/partition.h>
 #include <sandglass/scene/triangulate.h>
 
@@ -36,7 +37,7 @@ namespace Sandglass
 
 
     /// Call `distribute()`, which shares the cells out, with these weights.
-    template <typename Distribute>
+    template <int dim, typename Distribute>
     void
     distribute_by_weight(Triangulation<dim>              &triangulation,
                          const std::vector<unsigned int> &weights,
@@ -52,8 +53,9 @@ namespace Sandglass
 
 
 
+    template <int dim>
     std::unique_ptr<parallel::TriangulationBase<dim>>
-    partition_by_metis(const Mesh                      &mesh,
+    partition_by_metis(const Mesh<dim>                      &mesh,
                        const std::vector<unsigned int> &weights,
                        const MPI_Comm                   communicator)
     {
@@ -71,8 +73,9 @@ namespace Sandglass
 
 
     /// Its coarse cells are the mesh's, which every rank holds.
+    template <int dim>
     std::unique_ptr<parallel::TriangulationBase<dim>>
-    partition_by_p4est(const Mesh                      &mesh,
+    partition_by_p4est(const Mesh<dim>                      &mesh,
                        const std::vector<unsigned int> &weights,
                        const MPI_Comm                   communicator)
     {
@@ -114,8 +117,9 @@ namespace Sandglass
 
 
 
+  template <int dim>
   std::vector<unsigned int>
-  cell_weights(const Mesh &mesh, const unsigned int particles_per_cell)
+  cell_weights(const Mesh<dim> &mesh, const unsigned int particles_per_cell)
   {
     std::vector<double> work;
     for (const auto &cell : mesh.cells)
@@ -125,8 +129,9 @@ namespace Sandglass
 
 
 
+  template <int dim>
   std::unique_ptr<parallel::TriangulationBase<dim>>
-  partition(const Mesh                      &mesh,
+  partition(const Mesh<dim>                      &mesh,
             const std::vector<unsigned int> &weights,
             const Partitioner                partitioner,
             const MPI_Comm                   communicator)
@@ -138,6 +143,7 @@ namespace Sandglass
 
 
 
+  template <int dim>
   std::vector<types::subdomain_id>
   find_cell_owners(const parallel::TriangulationBase<dim> &triangulation)
   {
@@ -149,4 +155,13 @@ namespace Sandglass
     Utilities::MPI::max(owners, triangulation.get_communicator(), owners);
     return owners;
   }
+
+
+
+#define INSTANTIATE(dim) \
+  template std::vector<unsigned int> cell_weights<dim>(const Mesh<dim> &, const unsigned int); \
+  template std::unique_ptr<parallel::TriangulationBase<dim>> partition<dim>(const Mesh<dim> &, const std::vector<unsigned int> &, const Partitioner, const MPI_Comm); \
+  template std::vector<types::subdomain_id> find_cell_owners<dim>(const parallel::TriangulationBase<dim> &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

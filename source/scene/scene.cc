@@ -3,6 +3,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 
+#include <sandglass/choices.h>
 #include <sandglass/scene/scene.h>
 
 #include <algorithm>
@@ -10,7 +11,8 @@
 
 namespace Sandglass
 {
-  Scene::Scene(const Mesh                      &mesh,
+  template <int dim>
+  Scene<dim>::Scene(const Mesh<dim>                      &mesh,
                const Formulation                formulation,
                const unsigned int               particles_per_cell,
                const Tensor<1, dim>            &gravity,
@@ -28,14 +30,14 @@ namespace Sandglass
                      weights)
     , partitioned_mesh(partition(mesh, cell_weights, partitioner, communicator))
     , triangulation(*partitioned_mesh)
-    , reference_cell(mesh.cell_type == CellType::triangle ?
-                       ReferenceCells::Triangle :
-                       ReferenceCells::Quadrilateral)
-    , mapping(reference_cell.get_default_linear_mapping<dim>())
+    , reference_cell(is_simplex(mesh.cell_type) ?
+                       ReferenceCells::get_simplex<dim>() :
+                       ReferenceCells::get_hypercube<dim>())
+    , mapping(reference_cell.template get_default_linear_mapping<dim>())
     , dof_handler(triangulation)
     , cell_owners(find_cell_owners(triangulation))
   {
-    if (mesh.cell_type == CellType::triangle)
+    if (is_simplex(mesh.cell_type))
       finite_element = std::make_unique<FE_SimplexP<dim>>(1);
     else
       finite_element = std::make_unique<FE_Q<dim>>(1);
@@ -58,10 +60,17 @@ namespace Sandglass
           }
 
     const bool has_axis =
-      std::any_of(mesh.edges.begin(), mesh.edges.end(), [](const auto &edge) {
+      std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto &edge) {
         return edge.role == BoundaryRole::axis;
       });
     symmetry_factor =
       formulation == Formulation::plane_strain && has_axis ? 2. : 1.;
   }
+
+
+
+#define INSTANTIATE(dim) \
+  template class Scene<dim>;
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

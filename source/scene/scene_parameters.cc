@@ -160,7 +160,9 @@ namespace Sandglass
       "order of them into parts of equal weight.");
     add_parameter("Gravity",
                   gravity,
-                  "Acceleration of gravity, x and y. Units: m/s^2.");
+                  "Acceleration of gravity, x and y. Units: m/s^2.",
+                  prm,
+                  dealii::Patterns::List(dealii::Patterns::Double(), 2, 2));
   }
 
 

@@ -1,9 +1,12 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/reference_cell.h>
 
+#include <sandglass/choices.h>
 #include <sandglass/base/exceptions.h>
 #include <sandglass/scene/triangulate.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <sstream>
 
@@ -13,8 +16,9 @@ namespace Sandglass
 
   namespace
   {
+    template <int dim>
     std::vector<CellData<dim>>
-    make_cells(const Mesh &mesh)
+    make_cells(const Mesh<dim> &mesh)
     {
       std::vector<CellData<dim>> cells;
       cells.reserve(mesh.cells.size());
@@ -23,9 +27,10 @@ namespace Sandglass
           CellData<dim> data(mesh.vertices_per_cell());
           for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
             data.vertices[v] = cell.vertices[v];
-          // deal.II numbers a quadrilateral's vertices line by line
-          if (mesh.cell_type == CellType::quadrilateral)
-            std::swap(data.vertices[2], data.vertices[3]);
+          // deal.II numbers the vertices of cubes line by line.
+          if (!is_simplex(mesh.cell_type))
+            for (unsigned int v = 2; v < data.vertices.size(); v += 4)
+              std::swap(data.vertices[v], data.vertices[v + 1]);
           cells.push_back(data);
         }
       return cells;
@@ -33,40 +38,75 @@ namespace Sandglass
 
 
 
-    /// The boundary edges with their ids. Inner edges with a role (the outlet
-    /// above a fall region) cannot carry one.
-    SubCellData
-    make_boundary_lines(const Mesh &mesh)
+    /// A face's vertices in order, by which it is known.
+    template <int dim>
+    using FaceKey = std::array<unsigned int, Mesh<dim>::most_vertices_per_cell / 2>;
+
+    template <int dim>
+    FaceKey<dim>
+    key_of(FaceKey<dim> vertices, const unsigned int n)
     {
-      using Edge        = std::pair<unsigned int, unsigned int>;
-      const auto sorted = [](const unsigned int a, const unsigned int b) {
-        return Edge(std::min(a, b), std::max(a, b));
-      };
+      std::fill(vertices.begin() + n, vertices.end(), 0);
+      std::sort(vertices.begin(), vertices.begin() + n);
+      return vertices;
+    }
 
-      std::map<Edge, unsigned int> n_cells_at;
-      const unsigned int           n_vertices = mesh.vertices_per_cell();
-      for (const auto &cell : mesh.cells)
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          ++n_cells_at[sorted(cell.vertices[v],
-                              cell.vertices[(v + 1) % n_vertices])];
 
-      SubCellData result;
-      for (const auto &edge : mesh.edges)
+
+    /// How many cells each face has, of those made by make_cells().
+    template <int dim>
+    std::map<FaceKey<dim>, unsigned int>
+    count_cells_at_faces(const Mesh<dim>                  &mesh,
+                         const std::vector<CellData<dim>> &cells)
+    {
+      const ReferenceCell reference = is_simplex(mesh.cell_type) ?
+                                        ReferenceCells::get_simplex<dim>() :
+                                        ReferenceCells::get_hypercube<dim>();
+      std::map<FaceKey<dim>, unsigned int> n_cells_at;
+      for (const auto &cell : cells)
+        for (const unsigned int face : reference.face_indices())
+          {
+            FaceKey<dim>       vertices{};
+            const unsigned int n = mesh.vertices_per_face();
+            for (unsigned int v = 0; v < n; ++v)
+              vertices[v] = cell.vertices[reference.face_to_cell_vertices(
+                face, v, 1)];
+            ++n_cells_at[key_of<dim>(vertices, n)];
+          }
+      return n_cells_at;
+    }
+
+
+
+    /// The boundary faces with their ids. Inner faces with a role (the outlet
+    /// above a fall region) cannot carry one.
+    template <int dim>
+    SubCellData
+    make_boundary_faces(const Mesh<dim>                  &mesh,
+                        const std::vector<CellData<dim>> &cells)
+    {
+      const auto         n_cells_at = count_cells_at_faces(mesh, cells);
+      const unsigned int n          = mesh.vertices_per_face();
+      SubCellData        result;
+      for (const auto &face : mesh.faces)
         {
-          const auto entry =
-            n_cells_at.find(sorted(edge.vertices[0], edge.vertices[1]));
+          const auto entry = n_cells_at.find(key_of<dim>(face.vertices, n));
           if (entry == n_cells_at.end() || entry->second != 1)
             continue;
-          CellData<1> line;
-          line.vertices    = {edge.vertices[0], edge.vertices[1]};
-          line.boundary_id = boundary_id(edge.role);
-          result.boundary_lines.push_back(line);
+          CellData<dim - 1> data(n);
+          data.vertices.assign(face.vertices.begin(), face.vertices.begin() + n);
+          data.boundary_id = boundary_id(face.role);
+          if constexpr (dim == 2)
+            result.boundary_lines.push_back(data);
+          else
+            result.boundary_quads.push_back(data);
         }
       return result;
     }
 
 
 
+    template <int dim>
     void
     check_boundary(const Triangulation<dim> &triangulation)
     {
@@ -88,16 +128,24 @@ namespace Sandglass
 
 
 
+  template <int dim>
   void
-  triangulate(const Mesh &mesh, Triangulation<dim> &triangulation)
+  triangulate(const Mesh<dim> &mesh, Triangulation<dim> &triangulation)
   {
     std::vector<CellData<dim>> cells = make_cells(mesh);
 
-    const SubCellData subcell_data = make_boundary_lines(mesh);
+    const SubCellData subcell_data = make_boundary_faces(mesh, cells);
     GridTools::invert_all_negative_measure_cells(mesh.vertices, cells);
-    if (mesh.cell_type == CellType::quadrilateral)
+    if (!is_simplex(mesh.cell_type))
       GridTools::consistently_order_cells(cells);
     triangulation.create_triangulation(mesh.vertices, cells, subcell_data);
     check_boundary(triangulation);
   }
+
+
+
+#define INSTANTIATE(dim) \
+  template void triangulate<dim>(const Mesh<dim> &, dealii::Triangulation<dim> &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

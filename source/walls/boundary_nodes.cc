@@ -1,5 +1,5 @@
-#include <deal.II/base/numbers.h>
-
+#include <sandglass/choices.h>
+#include <sandglass/choices.h>
 #include <sandglass/walls/boundary_nodes.h>
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace Sandglass
 
     /// Outward normal of a straight boundary edge of `cell`.
     template <typename CellIterator>
-    Tensor<1, dim>
+    Tensor<1, 2>
     outward_normal(const CellIterator &cell, const unsigned int face_no)
     {
       const auto           face    = cell->face(face_no);
-      const Tensor<1, dim> tangent = face->vertex(1) - face->vertex(0);
-      Tensor<1, dim>       normal{{tangent[1], -tangent[0]}};
+      const Tensor<1, 2>   tangent = face->vertex(1) - face->vertex(0);
+      Tensor<1, 2>         normal{{tangent[1], -tangent[0]}};
       normal /= normal.norm();
       return normal * (face->center() - cell->center()) > 0. ? normal :
                                                                -1. * normal;
@@ -28,21 +28,21 @@ namespace Sandglass
 
     /// Integral of the edge's linear shape function of its end `own` over the
     /// edge's area.
+    template <int dim>
     double
     tributary_area(const Point<dim> &own,
                    const Point<dim> &other,
                    const Formulation formulation)
     {
-      const double length = own.distance(other);
-      if (formulation == Formulation::plane_strain)
-        return length / 2.;
-      return 2. * numbers::PI * length * (2. * own[0] + other[0]) / 6.;
+      return own.distance(other) / 2. *
+             measure<dim>(formulation, Point<dim>((2. * own + other) / 3.));
     }
 
 
 
+    template <int dim>
     void
-    add_support(std::vector<NodeSupport> &supports, const NodeSupport &added)
+    add_support(std::vector<NodeSupport<dim>> &supports, const NodeSupport<dim> &added)
     {
       for (auto &support : supports)
         if (support.normal * added.normal > same_direction &&
@@ -58,12 +58,13 @@ namespace Sandglass
 
 
 
+    template <int dim>
     bool
-    has_role(const BoundaryNode &node, const BoundaryRole role)
+    has_role(const BoundaryNode<dim> &node, const BoundaryRole role)
     {
       return std::any_of(node.supports.begin(),
                          node.supports.end(),
-                         [role](const NodeSupport &support) {
+                         [role](const NodeSupport<dim> &support) {
                            return support.role == role;
                          });
     }
@@ -71,12 +72,13 @@ namespace Sandglass
 
 
 
-  std::vector<BoundaryNode>
+  template <int dim>
+  std::vector<BoundaryNode<dim>>
   find_boundary_nodes(const DoFHandler<dim> &dof_handler,
                       const Formulation      formulation,
                       const WallParameters  &parameters)
   {
-    std::map<types::global_dof_index, BoundaryNode> nodes;
+    std::map<types::global_dof_index, BoundaryNode<dim>> nodes;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         if (cell->is_artificial())
@@ -105,7 +107,7 @@ namespace Sandglass
           }
       }
 
-    std::vector<BoundaryNode> result;
+    std::vector<BoundaryNode<dim>> result;
     for (auto &[dof, node] : nodes)
       {
         if (node.supports.empty())
@@ -120,4 +122,11 @@ namespace Sandglass
       }
     return result;
   }
+
+
+
+#define INSTANTIATE(dim) \
+  template std::vector<BoundaryNode<dim>> find_boundary_nodes<dim>(const DoFHandler<dim> &, const Formulation, const WallParameters &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -1,7 +1,7 @@
 #ifndef sandglass_tests_benchmark_counted_parts_h
 #define sandglass_tests_benchmark_counted_parts_h
 
-#include <sandglass/particle_stage/step_part.h>
+#include <sandglass/flow/particle_in_cell/step_part.h>
 
 #include <valgrind/callgrind.h>
 

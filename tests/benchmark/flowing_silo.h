@@ -1,7 +1,7 @@
 #ifndef sandglass_tests_benchmark_flowing_silo_h
 #define sandglass_tests_benchmark_flowing_silo_h
 
-#include <sandglass/particle_stage/cell_kernel.h>
+#include <sandglass/flow/particle_in_cell/cell_kernel.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include "stage_fixture.h"

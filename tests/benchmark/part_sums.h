@@ -1,7 +1,7 @@
 #ifndef sandglass_tests_benchmark_part_sums_h
 #define sandglass_tests_benchmark_part_sums_h
 
-#include <sandglass/particle_stage/step_part.h>
+#include <sandglass/flow/particle_in_cell/step_part.h>
 
 #include <array>
 #include <functional>

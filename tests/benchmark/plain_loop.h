@@ -3,11 +3,11 @@
 
 #include <deal.II/particles/particle_handler.h>
 
-#include <sandglass/particle_stage/deformation.h>
-#include <sandglass/particle_stage/nodal_equations.h>
-#include <sandglass/particle_stage/particle_motion.h>
-#include <sandglass/particle_stage/relocation.h>
-#include <sandglass/particle_stage/stress_update.h>
+#include <sandglass/flow/particle_in_cell/deformation.h>
+#include <sandglass/flow/particle_in_cell/nodal_equations.h>
+#include <sandglass/flow/particle_in_cell/particle_motion.h>
+#include <sandglass/flow/particle_in_cell/relocation.h>
+#include <sandglass/flow/particle_in_cell/stress_update.h>
 
 #include <stdexcept>
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef sandglass_tests_benchmark_plain_particle_h
 #define sandglass_tests_benchmark_plain_particle_h
 
-#include <sandglass/particle_stage/nodal_fields.h>
+#include <sandglass/flow/particle_in_cell/nodal_fields.h>
 #include <sandglass/particles/particle_state.h>
 
 /// What the plain loop does for one particle of deal.II's ParticleHandler.

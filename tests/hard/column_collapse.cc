@@ -125,7 +125,7 @@ namespace
           vertices.emplace_back(mesh.vertices[v][1 - d], v);
       std::sort(vertices.begin(), vertices.end());
       for (unsigned int i = 1; i < vertices.size(); ++i)
-        mesh.edges.push_back(
+        mesh.faces.push_back(
           {{{vertices[i - 1].second, vertices[i].second}}, role});
     }
   };

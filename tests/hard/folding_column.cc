@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/observers/particle_totals.h>
+#include <sandglass/output/particle_totals.h>
 
 #include <gtest/gtest.h>
 

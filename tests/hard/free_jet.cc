@@ -130,7 +130,7 @@ TEST_P(FreeJet, ContentOfASmoothTubeFallsFreely)
   tube.is_filled = [](const Point<2> &center) { return center[1] > 0.; };
   Mesh mesh      = tube.mesh();
   for (unsigned int i = 0, first = 24 * (tube.n_x + 1); i < tube.n_x; ++i)
-    mesh.edges.push_back({{{first + i, first + i + 1}}, BoundaryRole::outlet});
+    mesh.faces.push_back({{{first + i, first + i + 1}}, BoundaryRole::outlet});
 
   fixture.walls.friction_angle = 0.;
   fixture.start(mesh);

@@ -1,7 +1,7 @@
 #ifndef sandglass_tests_hard_small_silo_h
 #define sandglass_tests_hard_small_silo_h
 
-#include <sandglass/observers/particle_totals.h>
+#include <sandglass/output/particle_totals.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>

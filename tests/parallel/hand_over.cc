@@ -1,8 +1,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/material/material_parameters.h>
-#include <sandglass/observers/checkpoint.h>
-#include <sandglass/observers/particle_totals.h>
+#include <sandglass/output/checkpoint.h>
+#include <sandglass/output/particle_totals.h>
 #include <sandglass/run/load_balance.h>
 #include <sandglass/scene/make_mesh.h>
 

@@ -1,4 +1,4 @@
-#include <sandglass/particle_stage/particle_pass.h>
+#include <sandglass/flow/particle_in_cell/particle_pass.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_solver.h>
 
-#include <sandglass/static_stage/equilibrium.h>
+#include <sandglass/flow/updated_lagrangian/equilibrium.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <sandglass/observers/flow_pattern.h>
+#include <sandglass/output/flow_pattern.h>
 
 #include <gtest/gtest.h>
 

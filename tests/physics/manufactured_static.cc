@@ -1,6 +1,6 @@
 #include <deal.II/base/quadrature_lib.h>
 
-#include <sandglass/static_stage/newton_solver.h>
+#include <sandglass/flow/updated_lagrangian/newton_solver.h>
 
 #include <gtest/gtest.h>
 

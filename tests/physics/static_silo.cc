@@ -132,7 +132,7 @@ namespace
     for (unsigned int i = 0; i < rectangle.n_x; ++i)
       {
         const unsigned int first = (rectangle.n_x + 1) * rectangle.n_y / 2 + i;
-        mesh.edges.push_back({{{first, first + 1}}, BoundaryRole::outlet});
+        mesh.faces.push_back({{{first, first + 1}}, BoundaryRole::outlet});
       }
     StaticFixture fixture;
     fixture.run(mesh);

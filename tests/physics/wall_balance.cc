@@ -1,5 +1,5 @@
-#include <sandglass/observers/particle_totals.h>
-#include <sandglass/observers/wall_tractions.h>
+#include <sandglass/output/particle_totals.h>
+#include <sandglass/output/wall_tractions.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <sandglass/observers/particle_totals.h>
+#include <sandglass/output/particle_totals.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <sandglass/observers/background_task.h>
+#include <sandglass/output/background_task.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <sandglass/particle_stage/cell_stiffness.h>
+#include <sandglass/flow/particle_in_cell/cell_stiffness.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <sandglass/particle_stage/contact.h>
+#include <sandglass/flow/particle_in_cell/contact.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <sandglass/particle_stage/critical_time_step.h>
+#include <sandglass/flow/particle_in_cell/critical_time_step.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <sandglass/observers/eurocode_pressures.h>
+#include <sandglass/output/eurocode_pressures.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <sandglass/static_stage/gradient_operator.h>
+#include <sandglass/flow/updated_lagrangian/gradient_operator.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <sandglass/material/elasticity.h>
 #include <sandglass/material/green_naghdi.h>
-#include <sandglass/particle_stage/deformation.h>
+#include <sandglass/flow/particle_in_cell/deformation.h>
 
 #include <gtest/gtest.h>
 

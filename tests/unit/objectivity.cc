@@ -1,7 +1,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <sandglass/material/elasticity.h>
-#include <sandglass/particle_stage/deformation.h>
+#include <sandglass/flow/particle_in_cell/deformation.h>
 
 #include <gtest/gtest.h>
 

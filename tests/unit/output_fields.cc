@@ -1,5 +1,5 @@
-#include <sandglass/observers/field_series.h>
-#include <sandglass/observers/fields.h>
+#include <sandglass/output/field_series.h>
+#include <sandglass/output/fields.h>
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -2,10 +2,10 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/observers/csv_file.h>
-#include <sandglass/observers/json_object.h>
-#include <sandglass/observers/log.h>
-#include <sandglass/observers/progress.h>
+#include <sandglass/output/csv_file.h>
+#include <sandglass/output/json_object.h>
+#include <sandglass/output/log.h>
+#include <sandglass/output/progress.h>
 
 #include <boost/archive/text_iarchive.hpp>
 #include <boost/archive/text_oarchive.hpp>

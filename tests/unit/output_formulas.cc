@@ -1,7 +1,7 @@
-#include <sandglass/observers/beverloo.h>
-#include <sandglass/observers/flow_rate.h>
-#include <sandglass/observers/janssen.h>
-#include <sandglass/observers/schedule.h>
+#include <sandglass/output/beverloo.h>
+#include <sandglass/output/flow_rate.h>
+#include <sandglass/output/janssen.h>
+#include <sandglass/output/schedule.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #ifndef tests_unit_output_silo_h
 #define tests_unit_output_silo_h
 
-#include <sandglass/observers/log.h>
-#include <sandglass/observers/observers.h>
-#include <sandglass/observers/output_directory.h>
+#include <sandglass/output/log.h>
+#include <sandglass/output/observers.h>
+#include <sandglass/output/output_directory.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>

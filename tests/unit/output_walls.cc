@@ -1,4 +1,4 @@
-#include <sandglass/observers/wall_tractions.h>
+#include <sandglass/output/wall_tractions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ namespace
     // A hopper with a bend on each side of an outlet from x = -1 to 1.
     Mesh mesh;
     mesh.vertices = {{-1., 0.}, {1., 0.}, {-2., 2.}, {-3., 2.}, {4., 4.}};
-    mesh.edges    = {{{{3, 2}}, BoundaryRole::hopper},
+    mesh.faces    = {{{{3, 2}}, BoundaryRole::hopper},
                      {{{2, 0}}, BoundaryRole::hopper},
                      {{{4, 1}}, BoundaryRole::hopper}};
     const WallLines lines(mesh, Point<dim>(0.1, 0.));

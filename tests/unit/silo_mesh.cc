@@ -1,7 +1,7 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/observers/silo_measures.h>
-#include <sandglass/observers/wall_lines.h>
-#include <sandglass/particle_stage/particle_splitting.h>
+#include <sandglass/output/silo_measures.h>
+#include <sandglass/output/wall_lines.h>
+#include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/walls/boundary_nodes.h>
 
@@ -55,7 +55,7 @@ namespace
     length(const Mesh &mesh, const BoundaryRole role) const
     {
       double length = 0.;
-      for (const auto &edge : mesh.edges)
+      for (const auto &edge : mesh.faces)
         if (edge.role == role)
           length += mesh.vertices[edge.vertices[0]].distance(
             mesh.vertices[edge.vertices[1]]);

@@ -1,4 +1,4 @@
-#include <sandglass/static_stage/incremental_response.h>
+#include <sandglass/flow/updated_lagrangian/incremental_response.h>
 
 #include <gtest/gtest.h>
 

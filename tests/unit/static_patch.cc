@@ -1,4 +1,4 @@
-#include <sandglass/static_stage/equilibrium.h>
+#include <sandglass/flow/updated_lagrangian/equilibrium.h>
 
 #include <gtest/gtest.h>
 

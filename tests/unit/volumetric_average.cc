@@ -1,4 +1,4 @@
-#include <sandglass/particle_stage/volumetric_average.h>
+#include <sandglass/flow/particle_in_cell/volumetric_average.h>
 
 #include <gtest/gtest.h>
 

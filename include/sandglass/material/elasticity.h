@@ -1,7 +1,7 @@
 #ifndef sandglass_material_elasticity_h
 #define sandglass_material_elasticity_h
 
-#include <sandglass/material/stress.h>
+#include <sandglass/continuum/symmetric_components.h>
 
 #include <cmath>
 
@@ -39,13 +39,22 @@ namespace Sandglass
       return std::sqrt(confined_modulus() / density);
     }
 
-    template <typename Number = double>
-    SymmetricTensorOf<Number>
-    stress(const SymmetricTensorOf<Number> &strain) const
+    template <int n, typename Number>
+    SymmetricComponents<n, Number>
+    stress(const Eigen::Matrix<Number, n, 1> &strain) const
     {
-      const Number volumetric =
-        Number(lame_modulus) * (strain[0] + strain[1] + strain[2]);
-      return Number(2. * shear_modulus) * strain + isotropic(volumetric);
+      return Number(2. * shear_modulus) * strain +
+             isotropic<n>(Number(lame_modulus) * trace(strain));
+    }
+
+    /// Derivative of stress() with respect to the strain.
+    template <int n>
+    ComponentMatrix<n>
+    stiffness() const
+    {
+      const SymmetricComponents<n> one = isotropic<n>(1.);
+      return 2. * shear_modulus * ComponentMatrix<n>::Identity() +
+             lame_modulus * one * one.transpose();
     }
 
     /// Elastic energy per volume, in J/m^3, of a stress in Pa.

@@ -23,12 +23,13 @@ namespace Sandglass
   class CellGeometry
   {
   public:
-    using Shape = CellShape<cell_type>;
+    using Shape              = CellShape<cell_type>;
+    static constexpr int dim = Shape::dim;
 
     /// Face distances between minus this and 0 count as inside the cell.
     static constexpr double tolerance = 1e-12;
 
-    explicit CellGeometry(const Scene &scene);
+    explicit CellGeometry(const Scene<dim> &scene);
 
     const Shape &
     shape(const unsigned int cell) const
@@ -98,7 +99,7 @@ namespace Sandglass
     /// Whether all face distances are at least `margin`; false for NaN.
     template <typename Number>
     static auto
-    is_inside(const Pair<Number> &reference_point, const double margin)
+    is_inside(const std::array<Number, dim> &reference_point, const double margin)
     {
       const auto distances = Shape::face_distances(reference_point);
       auto       result    = distances[0] >= Number(margin);
@@ -110,7 +111,7 @@ namespace Sandglass
     static bool
     is_inside(const Point<dim> &reference_point, const double margin)
     {
-      return is_inside(pair_of(reference_point), margin);
+      return is_inside(components_of<dim>(reference_point), margin);
     }
 
   private:

@@ -7,52 +7,51 @@
 
 namespace Sandglass
 {
-  /// Of the particles that fill a cell at the start.
+  /// Volume and middle of the particles that fill a cell at the start.
+  template <int dim>
   struct CellMoments
   {
-    double       volume;     ///< in m^3; plane strain: per metre of depth
-    Pair<double> mean_point; ///< reference coordinates, weighted with volume
+    double volume; ///< in m^3; plane strain: per metre of depth
+    std::array<double, dim> mean_point; ///< reference coordinates, weighted
+                                        ///< with volume
   };
 
-  /// Area in m^2 of one of n equal parts of a cell, from the part's centroid.
-  template <CellType cell_type>
+  /// Area in m^2 (in space: volume in m^3) of one of n equal parts of a cell,
+  /// from the part's centroid.
+  template <typename Shape>
   double
-  part_area(const CellShape<cell_type> &shape,
-            const Point<dim>           &centroid,
-            const unsigned int          n)
+  part_area(const Shape             &shape,
+            const Point<Shape::dim> &centroid,
+            const unsigned int       n)
   {
-    return shape.jacobian(centroid) * CellShape<cell_type>::reference_area / n;
+    return shape.jacobian(centroid) * Shape::reference_area / n;
   }
 
   /// Volume of the same in m^3 (plane strain: per metre of depth, axisymmetric:
   /// of the whole ring).
-  template <CellType cell_type>
+  template <typename Kinematics, typename Shape>
   double
-  part_volume(const CellShape<cell_type> &shape,
-              const Formulation           formulation,
-              const Point<dim>           &centroid,
-              const unsigned int          n)
+  part_volume(const Shape             &shape,
+              const Point<Shape::dim> &centroid,
+              const unsigned int       n)
   {
-    const double area = part_area(shape, centroid, n);
-    return formulation == Formulation::plane_strain ?
-             area :
-             2. * numbers::PI * shape.to_real(centroid)[0] * area;
+    return Kinematics::measure(shape.to_real(centroid)) *
+           part_area(shape, centroid, n);
   }
 
   /// @param points  of the particles, see seed_points().
-  template <CellType cell_type>
-  CellMoments
-  cell_moments(const CellShape<cell_type>    &shape,
-               const Formulation              formulation,
-               const std::vector<Point<dim>> &points)
+  template <typename Kinematics, typename Shape>
+  CellMoments<Shape::dim>
+  cell_moments(const Shape                          &shape,
+               const std::vector<Point<Shape::dim>> &points)
   {
-    CellMoments moments{};
-    for (const Point<dim> &point : points)
+    CellMoments<Shape::dim> moments{};
+    for (const auto &point : points)
       {
         const double volume =
-          part_volume(shape, formulation, point, points.size());
+          part_volume<Kinematics>(shape, point, points.size());
         moments.volume += volume;
-        for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int d = 0; d < Shape::dim; ++d)
           moments.mean_point[d] += volume * point[d];
       }
     for (double &coordinate : moments.mean_point)

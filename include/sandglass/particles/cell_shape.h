@@ -5,7 +5,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <sandglass/base/lanes.h>
-#include <sandglass/base/setting.h>
+#include <sandglass/scene/cell_type.h>
 
 #include <array>
 
@@ -16,7 +16,7 @@ namespace Sandglass
   /**
    * Geometry and linear shape functions of one cell, in the numbering of
    * deal.II's reference cells. Specialised for each cell type with the same
-   * members, of which the first four also take the points of Lanes of
+   * members (`dim` among them), of which the first four also take the points of Lanes of
    * particles:
    *
    * - shape_values(reference_point): N_i, one per node;
@@ -35,14 +35,25 @@ namespace Sandglass
   template <CellType cell_type>
   class CellShape;
 
-  /// Two coordinates or components, of one particle or of Lanes of them.
-  template <typename Number>
-  using Pair = std::array<Number, dim>;
-
-  inline Pair<double>
-  pair_of(const Tensor<1, dim> &tensor)
+  /// The numbers of a vector or point.
+  template <int dim>
+  std::array<double, dim>
+  components_of(const Tensor<1, dim> &tensor)
   {
-    return {{tensor[0], tensor[1]}};
+    std::array<double, dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = tensor[d];
+    return result;
+  }
+
+  template <std::size_t dim>
+  Point<static_cast<int>(dim)>
+  point_of(const std::array<double, dim> &coordinates)
+  {
+    Point<static_cast<int>(dim)> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = coordinates[d];
+    return result;
   }
 } // namespace Sandglass
 

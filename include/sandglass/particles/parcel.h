@@ -5,8 +5,7 @@
 
 #include <deal.II/particles/property_pool.h>
 
-#include <sandglass/base/setting.h>
-#include <sandglass/particles/particle_properties.h>
+#include <sandglass/particles/particle_layout.h>
 
 #include <array>
 
@@ -15,12 +14,15 @@ namespace Sandglass
   using namespace dealii;
 
   /// A particle on its way: all that there is of it.
+  template <typename Layout>
   struct Parcel
   {
-    unsigned int                               cell;
-    types::particle_index                      id;
-    Point<dim>                                 location, reference_point;
-    std::array<double, Property::n_properties> properties;
+    using Point = dealii::Point<Layout::dim>;
+
+    unsigned int                             cell;
+    types::particle_index                    id;
+    Point                                    location, reference_point;
+    std::array<double, Layout::n_properties> properties;
 
     template <class Archive>
     void

@@ -15,17 +15,23 @@ namespace Sandglass
    * side by side, as the processor takes them in. Lanes without a particle
    * hold a copy of the first without mass, which moves as that one does.
    */
+  template <typename Layout>
   struct alignas(64) ParticleBlock
   {
+    static constexpr int dim = Layout::dim;
+
     /// What a particle carries: its place, then its properties.
     enum Quantity : unsigned int
     {
       location     = 0,
       reference    = location + dim, ///< coordinates in the cell
       properties   = reference + dim,
-      mass         = properties + Property::mass,
-      velocity     = properties + Property::velocity,
-      n_quantities = properties + Property::n_properties
+      mass         = properties + Layout::mass,
+      velocity     = properties + Layout::velocity,
+      stress       = properties + Layout::stress,
+      density      = properties + Layout::density,
+      law_state    = properties + Layout::law_state,
+      n_quantities = properties + Layout::n_properties
     };
 
     double values[n_quantities][Lanes::n];
@@ -45,7 +51,10 @@ namespace Sandglass
     Point<dim>
     point(const Quantity quantity, const unsigned int lane) const
     {
-      return {values[quantity][lane], values[quantity + 1][lane]};
+      Point<dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = values[quantity + d][lane];
+      return result;
     }
 
     void
@@ -53,8 +62,8 @@ namespace Sandglass
               const unsigned int lane,
               const Point<dim>  &point)
     {
-      values[quantity][lane]     = point[0];
-      values[quantity + 1][lane] = point[1];
+      for (unsigned int d = 0; d < dim; ++d)
+        values[quantity + d][lane] = point[d];
     }
   };
 
@@ -74,9 +83,13 @@ namespace Sandglass
    * the same however many particles there are. The order of particles in a
    * cell depends only on the order in which they came and went.
    */
+  template <typename Layout>
   class ParticleBlocks
   {
   public:
+    using Block  = ParticleBlock<Layout>;
+    using Parcel = Sandglass::Parcel<Layout>;
+
     static constexpr unsigned int none = numbers::invalid_unsigned_int;
 
     /// @param cells  that may hold particles, in the order in which they are
@@ -169,13 +182,13 @@ namespace Sandglass
       return links[block].n_lanes;
     }
 
-    ParticleBlock &
+    Block &
     operator[](const unsigned int block)
     {
       return blocks[block];
     }
 
-    const ParticleBlock &
+    const Block &
     operator[](const unsigned int block) const
     {
       return blocks[block];
@@ -253,7 +266,7 @@ namespace Sandglass
 
     const std::vector<unsigned int> cells_in_order;
 
-    std::vector<ParticleBlock> blocks;
+    std::vector<Block> blocks;
     std::vector<Link>          links;
     std::vector<unsigned int>  first;  ///< block of each cell
     std::vector<unsigned int>  unused; ///< blocks
@@ -261,9 +274,11 @@ namespace Sandglass
     unsigned int               n_added  = 0; ///< blocks since sort()
 
     /// Kept between calls to avoid allocation.
-    std::vector<ParticleBlock> sorted_blocks;
+    std::vector<Block> sorted_blocks;
     std::vector<Link>          sorted_links;
   };
 } // namespace Sandglass
+
+#include <sandglass/particles/particle_blocks.templates.h>
 
 #endif

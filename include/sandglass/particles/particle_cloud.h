@@ -11,14 +11,20 @@
 namespace Sandglass
 {
   /**
-   * The material points. deal.II's ParticleHandler owns their identity, place,
-   * cell and properties (particle_properties.h); the time loop works on a copy
-   * of them in blocks, from which the handler is brought up to date when
-   * somebody asks for it. Moves particles between cells and ranks.
+   * The material points. The blocks own them; deal.II's ParticleHandler is a
+   * view of them, made from the blocks when somebody asks for it: for seeding,
+   * exchange and export by deal.II's means. Moves particles between cells and
+   * ranks.
    */
+  template <typename Layout>
   class ParticleCloud
   {
   public:
+    static constexpr int dim = Layout::dim;
+
+    using Scene        = Sandglass::Scene<dim>;
+    using Blocks       = ParticleBlocks<Layout>;
+    using Parcel       = Sandglass::Parcel<Layout>;
     using Handler      = Particles::ParticleHandler<dim>;
     using CellIterator = typename Triangulation<dim>::active_cell_iterator;
 
@@ -39,14 +45,14 @@ namespace Sandglass
       load_blocks();
     }
 
-    const ParticleBlocks &
+    const Blocks &
     blocks() const
     {
       return particle_blocks;
     }
 
     /// For those who change particles in their cells.
-    ParticleBlocks &
+    Blocks &
     change_blocks()
     {
       handler_is_current = false;
@@ -115,7 +121,7 @@ namespace Sandglass
     std::vector<CellIterator> cells_owned;
 
     Handler        particle_handler;
-    ParticleBlocks particle_blocks;
+    Blocks particle_blocks;
     bool           handler_is_current = true;
     unsigned int   n_edits            = 0;
 
@@ -123,5 +129,7 @@ namespace Sandglass
     std::vector<Parcel> parcels_of_cell;
   };
 } // namespace Sandglass
+
+#include <sandglass/particles/particle_cloud.templates.h>
 
 #endif

@@ -1,22 +1,26 @@
 #ifndef sandglass_particles_particle_state_h
 #define sandglass_particles_particle_state_h
 
-#include <sandglass/material/stress.h>
-#include <sandglass/particles/cell_shape.h>
+#include <sandglass/continuum/symmetric_components.h>
 #include <sandglass/particles/particle_blocks.h>
 
 namespace Sandglass
 {
   /// State of one particle (Number is double) or of a block's (Lanes).
-  template <typename Number>
+  template <typename Layout_, typename Number>
   struct ParticleState
   {
-    Pair<Number>              location;  ///< in m
-    Pair<Number>              reference; ///< coordinates in the cell
-    Number                    mass;      ///< in kg
-    Pair<Number>              velocity;  ///< in m/s
-    SymmetricTensorOf<Number> stress;    ///< in Pa
-    Number                    density;   ///< in kg/m^3
+    using Layout = Layout_;
+
+    static constexpr int dim = Layout::dim;
+
+    std::array<Number, dim>                           location;  ///< in m
+    std::array<Number, dim>                           reference; ///< in the cell
+    Number                                            mass;      ///< in kg
+    std::array<Number, dim>                           velocity;  ///< in m/s
+    SymmetricComponents<Layout::n_components, Number> stress;    ///< in Pa
+    Number                                            density; ///< in kg/m^3
+    std::array<Number, Layout::n_law_numbers>         law_state;
 
     /// In m^3, in plane strain per metre of depth.
     Number
@@ -26,55 +30,63 @@ namespace Sandglass
     }
   };
 
-  /// @param load  gives the number stored for a ParticleBlock::Quantity.
-  template <typename Number, typename Load>
-  ParticleState<Number>
-  load_state(const Load &load)
+  /// Call `function(number, quantity)` for all that a state holds but the mass,
+  /// with the ParticleBlock::Quantity at which it is stored.
+  template <typename State, typename Function>
+  void
+  for_each_changing_number(State &state, const Function &function)
   {
-    constexpr unsigned int properties = ParticleBlock::properties;
-    ParticleState<Number>  state;
-    for (unsigned int d = 0; d < dim; ++d)
+    using Layout = typename State::Layout;
+    using Block  = ParticleBlock<Layout>;
+    for (unsigned int d = 0; d < Layout::dim; ++d)
       {
-        state.location[d]  = load(ParticleBlock::location + d);
-        state.reference[d] = load(ParticleBlock::reference + d);
-        state.velocity[d]  = load(properties + Property::velocity + d);
+        function(state.location[d], Block::location + d);
+        function(state.reference[d], Block::reference + d);
+        function(state.velocity[d], Block::velocity + d);
       }
-    for (unsigned int c = 0; c < 4; ++c)
-      state.stress[c] = load(properties + Property::stress + c);
-    state.mass    = load(properties + Property::mass);
-    state.density = load(properties + Property::density);
+    for (unsigned int c = 0; c < Layout::n_components; ++c)
+      function(state.stress[c], Block::stress + c);
+    function(state.density, Block::density);
+    for (unsigned int i = 0; i < Layout::n_law_numbers; ++i)
+      function(state.law_state[i], Block::law_state + i);
+  }
+
+  template <typename Layout>
+  ParticleState<Layout, Lanes>
+  load_state(const ParticleBlock<Layout> &block)
+  {
+    ParticleState<Layout, Lanes> state;
+    for_each_changing_number(state,
+                             [&block](Lanes &number, const unsigned int q) {
+                               number = block.load(q);
+                             });
+    state.mass = block.load(ParticleBlock<Layout>::mass);
     return state;
   }
 
-  inline ParticleState<Lanes>
-  load_state(const ParticleBlock &block)
+  template <typename Layout>
+  ParticleState<Layout, double>
+  load_state(const ParticleBlock<Layout> &block, const unsigned int lane)
   {
-    return load_state<Lanes>(
-      [&block](const unsigned int quantity) { return block.load(quantity); });
-  }
-
-  inline ParticleState<double>
-  load_state(const ParticleBlock &block, const unsigned int lane)
-  {
-    return load_state<double>([&block, lane](const unsigned int quantity) {
-      return block.values[quantity][lane];
-    });
+    ParticleState<Layout, double> state;
+    for_each_changing_number(
+      state, [&block, lane](double &number, const unsigned int q) {
+        number = block.values[q][lane];
+      });
+    state.mass = block.values[ParticleBlock<Layout>::mass][lane];
+    return state;
   }
 
   /// All but the mass, which does not change in a pass.
-  inline void
-  store_state(const ParticleState<Lanes> &state, ParticleBlock &block)
+  template <typename Layout>
+  void
+  store_state(const ParticleState<Layout, Lanes> &state,
+              ParticleBlock<Layout>              &block)
   {
-    constexpr unsigned int properties = ParticleBlock::properties;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        block.store(ParticleBlock::location + d, state.location[d]);
-        block.store(ParticleBlock::reference + d, state.reference[d]);
-        block.store(properties + Property::velocity + d, state.velocity[d]);
-      }
-    for (unsigned int c = 0; c < 4; ++c)
-      block.store(properties + Property::stress + c, state.stress[c]);
-    block.store(properties + Property::density, state.density);
+    for_each_changing_number(
+      state, [&block](const Lanes &number, const unsigned int q) {
+        block.store(q, number);
+      });
   }
 } // namespace Sandglass
 

@@ -12,6 +12,12 @@ namespace Sandglass
   class CellShape<CellType::quadrilateral>
   {
   public:
+    static constexpr int dim = 2;
+
+    /// Two coordinates or components, of one particle or of Lanes of them.
+    template <typename Number>
+    using Pair = std::array<Number, dim>;
+
     static constexpr unsigned int n_nodes        = 4;
     static constexpr unsigned int n_faces        = 4;
     static constexpr double       reference_area = 1.;
@@ -148,19 +154,19 @@ namespace Sandglass
     static std::array<double, n_nodes>
     shape_values(const Point<dim> &reference_point)
     {
-      return shape_values(pair_of(reference_point));
+      return shape_values(components_of<dim>(reference_point));
     }
 
     std::array<Pair<double>, n_nodes>
     shape_gradients(const Point<dim> &reference_point) const
     {
-      return shape_gradients(pair_of(reference_point));
+      return shape_gradients(components_of<dim>(reference_point));
     }
 
     Point<dim>
     to_reference(const Point<dim> &point) const
     {
-      const Pair<double> result = to_reference(pair_of(point));
+      const Pair<double> result = to_reference(components_of<dim>(point));
       return {result[0], result[1]};
     }
 
@@ -196,7 +202,7 @@ namespace Sandglass
     static std::array<double, n_faces>
     face_distances(const Point<dim> &reference_point)
     {
-      return face_distances(pair_of(reference_point));
+      return face_distances(components_of<dim>(reference_point));
     }
 
     std::array<double, n_faces>

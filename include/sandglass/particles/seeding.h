@@ -4,6 +4,7 @@
 #include <deal.II/particles/property_pool.h>
 
 #include <sandglass/particles/cell_geometry.h>
+#include <sandglass/particles/cell_moments.h>
 
 #include <array>
 #include <limits>
@@ -16,8 +17,16 @@ namespace Sandglass
    * are divided into sqrt(n) equal parts, and each of the n equal parts of the
    * cell has a point at its centroid (paper, Figure 1, for n = 4).
    */
-  std::vector<Point<dim>>
-  seed_points(const CellType cell_type, const unsigned int n);
+  template <CellType cell_type>
+  std::vector<Point<CellShape<cell_type>::dim>>
+  seed_points(const unsigned int n);
+
+  template <>
+  std::vector<Point<2>>
+  seed_points<CellType::triangle>(const unsigned int n);
+  template <>
+  std::vector<Point<2>>
+  seed_points<CellType::quadrilateral>(const unsigned int n);
 
   /**
    * Initial data of a particle that follow from its id alone: particle k of
@@ -28,12 +37,18 @@ namespace Sandglass
    * by N for their first halves, N for their second halves, and so on, so that
    * the id modulo N is that of the initial particle.
    */
-  template <CellType cell_type>
+  template <typename Kinematics, CellType cell_type>
   class InitialConfiguration
   {
   public:
-    InitialConfiguration(const Scene                   &scene,
-                         const CellGeometry<cell_type> &geometry);
+    static constexpr int dim = Kinematics::dim;
+
+    InitialConfiguration(const Scene<dim>              &scene,
+                         const CellGeometry<cell_type> &geometry)
+      : points(seed_points<cell_type>(scene.particles_per_cell))
+      , geometry(geometry)
+      , n_ids(points.size() * geometry.n_cells())
+    {}
 
     /// Position before the static stage's displacement, in m.
     Point<dim>
@@ -64,7 +79,12 @@ namespace Sandglass
      * m^3 (plane strain: per metre of depth, axisymmetric: of the whole ring).
      */
     double
-    volume(const types::particle_index id) const;
+    volume(const types::particle_index id) const
+    {
+      return part_volume<Kinematics>(geometry.shape(cell(id)),
+                                     points[point(id)],
+                                     points.size());
+    }
 
     const std::vector<Point<dim>> points;
 
@@ -83,7 +103,6 @@ namespace Sandglass
       return id % n_ids % points.size();
     }
 
-    const Formulation              formulation;
     const CellGeometry<cell_type> &geometry;
     const types::particle_index    n_ids; ///< of initial particles
   };

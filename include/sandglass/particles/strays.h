@@ -13,6 +13,7 @@ namespace Sandglass
    * They are taken out cell by cell, while their blocks are still in the cache:
    * on fine meshes that is most of what a change of cell costs.
    */
+  template <typename Layout>
   class Strays
   {
   public:
@@ -34,7 +35,7 @@ namespace Sandglass
 
     /// Take those added since the last call out of their cell.
     void
-    take_out(ParticleBlocks &blocks)
+    take_out(ParticleBlocks<Layout> &blocks)
     {
       for (const ParticleSlot &slot : slots)
         {
@@ -46,7 +47,7 @@ namespace Sandglass
 
     /// Those taken out. Their reference coordinates are those in the cell that
     /// they have left, so not valid in any.
-    std::vector<Parcel> parcels;
+    std::vector<Parcel<Layout>> parcels;
 
   private:
     std::vector<ParticleSlot> slots;

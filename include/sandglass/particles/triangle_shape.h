@@ -11,6 +11,12 @@ namespace Sandglass
   class CellShape<CellType::triangle>
   {
   public:
+    static constexpr int dim = 2;
+
+    /// Two coordinates or components, of one particle or of Lanes of them.
+    template <typename Number>
+    using Pair = std::array<Number, dim>;
+
     static constexpr unsigned int n_nodes        = 3;
     static constexpr unsigned int n_faces        = 3;
     static constexpr double       reference_area = 0.5;
@@ -46,9 +52,9 @@ namespace Sandglass
     std::array<Pair<double>, n_nodes>
     shape_gradients(const Pair<Number> &) const
     {
-      return {{pair_of(-(gradients[0] + gradients[1])),
-               pair_of(gradients[0]),
-               pair_of(gradients[1])}};
+      return {{components_of<dim>(-(gradients[0] + gradients[1])),
+               components_of<dim>(gradients[0]),
+               components_of<dim>(gradients[1])}};
     }
 
     template <typename Number>
@@ -72,19 +78,19 @@ namespace Sandglass
     static std::array<double, n_nodes>
     shape_values(const Point<dim> &reference_point)
     {
-      return shape_values(pair_of(reference_point));
+      return shape_values(components_of<dim>(reference_point));
     }
 
     std::array<Pair<double>, n_nodes>
     shape_gradients(const Point<dim> &reference_point) const
     {
-      return shape_gradients(pair_of(reference_point));
+      return shape_gradients(components_of<dim>(reference_point));
     }
 
     Point<dim>
     to_reference(const Point<dim> &point) const
     {
-      const Pair<double> result = to_reference(pair_of(point));
+      const Pair<double> result = to_reference(components_of<dim>(point));
       return {result[0], result[1]};
     }
 
@@ -125,7 +131,7 @@ namespace Sandglass
     static std::array<double, n_faces>
     face_distances(const Point<dim> &reference_point)
     {
-      return face_distances(pair_of(reference_point));
+      return face_distances(components_of<dim>(reference_point));
     }
 
     std::array<double, n_faces>

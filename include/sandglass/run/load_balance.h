@@ -1,7 +1,7 @@
 #ifndef sandglass_run_load_balance_h
 #define sandglass_run_load_balance_h
 
-#include <sandglass/particle_stage/particle_stage.h>
+#include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include <vector>
 

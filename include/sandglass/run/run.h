@@ -1,7 +1,7 @@
 #ifndef sandglass_run_run_h
 #define sandglass_run_run_h
 
-#include <sandglass/observers/log.h>
+#include <sandglass/output/log.h>
 #include <sandglass/run/command_line.h>
 #include <sandglass/run/parameters.h>
 

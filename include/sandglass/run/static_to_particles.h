@@ -1,8 +1,8 @@
 #ifndef sandglass_run_static_to_particles_h
 #define sandglass_run_static_to_particles_h
 
-#include <sandglass/particle_stage/particle_stage.h>
-#include <sandglass/static_stage/static_state.h>
+#include <sandglass/flow/particle_in_cell/particle_stage.h>
+#include <sandglass/flow/updated_lagrangian/static_state.h>
 
 namespace Sandglass
 {

@@ -3,7 +3,7 @@
 
 #include <deal.II/base/point.h>
 
-#include <sandglass/base/setting.h>
+#include <sandglass/scene/cell_type.h>
 #include <sandglass/scene/boundary_role.h>
 
 #include <array>
@@ -12,15 +12,18 @@
 namespace Sandglass
 {
   /**
-   * Vertices, cells and named edges of the computational mesh, as Gmsh or a
+   * Vertices, cells and named faces of the computational mesh, as Gmsh or a
    * test makes them, before deal.II turns them into a triangulation.
    */
+  template <int dim>
   struct Mesh
   {
+    static constexpr unsigned int most_vertices_per_cell = 1u << dim;
+
     struct Cell
     {
-      /// Vertex indices, counterclockwise; the last is unused in triangles.
-      std::array<unsigned int, 4> vertices;
+      /// Vertex indices, counterclockwise; the last are unused in simplices.
+      std::array<unsigned int, most_vertices_per_cell> vertices;
       /// Whether material fills the cell at the start.
       bool is_filled;
 
@@ -32,10 +35,10 @@ namespace Sandglass
       }
     };
 
-    struct Edge
+    struct Face
     {
-      std::array<unsigned int, 2> vertices;
-      BoundaryRole                role;
+      std::array<unsigned int, most_vertices_per_cell / 2> vertices;
+      BoundaryRole                                         role;
 
       template <class Archive>
       void
@@ -48,38 +51,46 @@ namespace Sandglass
     CellType                        cell_type = CellType::triangle;
     std::vector<dealii::Point<dim>> vertices; ///< in m
     std::vector<Cell>               cells;
-    std::vector<Edge>               edges;
+    std::vector<Face>               faces;
 
     unsigned int
     vertices_per_cell() const
     {
-      return cell_type == CellType::triangle ? 3 : 4;
+      return Sandglass::vertices_per_cell(cell_type);
+    }
+
+    unsigned int
+    vertices_per_face() const
+    {
+      return is_simplex(cell_type) ? dim : most_vertices_per_cell / 2;
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &cell_type &vertices &cells &edges;
+      archive &cell_type &vertices &cells &faces;
     }
   };
 
   /**
    * The part of `mesh` that material fills at the start, its cells in the same
-   * order. Vertices that no filled cell uses are left out; edges are kept
-   * where both vertices remain.
+   * order. Vertices that no filled cell uses are left out; faces are kept
+   * where all their vertices remain.
    *
    * @param[out] cell_indices  index in `mesh` of each cell of the result.
    */
-  Mesh
-  filled_part(const Mesh &mesh, std::vector<unsigned int> &cell_indices);
+  template <int dim>
+  Mesh<dim>
+  filled_part(const Mesh<dim> &mesh, std::vector<unsigned int> &cell_indices);
 
   /**
    * Sort cells and vertices along a space-filling (Morton) curve, so that
    * neighbours in space are neighbours in memory.
    */
+  template <int dim>
   void
-  sort_along_curve(Mesh &mesh);
+  sort_along_curve(Mesh<dim> &mesh);
 } // namespace Sandglass
 
 #endif

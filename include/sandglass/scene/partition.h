@@ -34,8 +34,9 @@ namespace Sandglass
   cell_weights(const std::vector<double> &work);
 
   /// The same before any flow.
+  template <int dim>
   std::vector<unsigned int>
-  cell_weights(const Mesh &mesh, const unsigned int particles_per_cell);
+  cell_weights(const Mesh<dim> &mesh, const unsigned int particles_per_cell);
 
   /**
    * Make a triangulation of `mesh` as triangulate() does, of which each rank
@@ -43,13 +44,15 @@ namespace Sandglass
    *
    * @param weights  what each cell costs: ranks get equal shares.
    */
+  template <int dim>
   std::unique_ptr<parallel::TriangulationBase<dim>>
-  partition(const Mesh                      &mesh,
+  partition(const Mesh<dim>                      &mesh,
             const std::vector<unsigned int> &weights,
             const Partitioner                partitioner,
             const MPI_Comm                   communicator);
 
   /// The rank that owns each active cell, on each rank. Collective.
+  template <int dim>
   std::vector<types::subdomain_id>
   find_cell_owners(const parallel::TriangulationBase<dim> &triangulation);
 } // namespace Sandglass

@@ -10,6 +10,7 @@
 
 #include <deal.II/grid/reference_cell.h>
 
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/scene/partition.h>
 
 #include <memory>
@@ -27,6 +28,7 @@ namespace Sandglass
    *
    * Cell i of the mesh is the triangulation's active cell with index i.
    */
+  template <int dim>
   class Scene
   {
   public:
@@ -36,7 +38,7 @@ namespace Sandglass
      * @param weights  what each cell costs, for ranks to have equal shares; if
      *                 there are none, by the mesh's filled cells.
      */
-    Scene(const Mesh                      &mesh,
+    Scene(const Mesh<dim>                      &mesh,
           const Formulation                formulation,
           const unsigned int               particles_per_cell,
           const Tensor<1, dim>            &gravity,
@@ -44,7 +46,7 @@ namespace Sandglass
           const Partitioner                partitioner = Partitioner::metis,
           const std::vector<unsigned int> &weights     = {});
 
-    const Mesh           mesh;
+    const Mesh<dim>           mesh;
     const Formulation    formulation;
     const unsigned int   particles_per_cell;
     const Tensor<1, dim> gravity; ///< in m/s^2

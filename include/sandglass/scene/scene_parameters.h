@@ -4,6 +4,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 #include <deal.II/base/tensor.h>
 
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/scene/partition.h>
 
 #include <string>
@@ -52,7 +53,18 @@ namespace Sandglass
     Partitioner   partitioner         = Partitioner::metis;
 
     /// In m/s^2.
-    dealii::Tensor<1, dim> gravity{{0., -9.81}};
+    std::vector<double> gravity{0., -9.81};
+
+    /// The same as a vector of the grid.
+    template <int dim>
+    dealii::Tensor<1, dim>
+    gravity_vector() const
+    {
+      dealii::Tensor<1, dim> result;
+      for (unsigned int d = 0; d < dim && d < gravity.size(); ++d)
+        result[d] = gravity[d];
+      return result;
+    }
 
     /// Height of the material's free surface above the outlet level, in m.
     double

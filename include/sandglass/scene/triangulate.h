@@ -14,8 +14,9 @@ namespace Sandglass
    * Throws InputError if a boundary edge of the mesh has no role, or a cell no
    * area.
    */
+  template <int dim>
   void
-  triangulate(const Mesh &mesh, dealii::Triangulation<dim> &triangulation);
+  triangulate(const Mesh<dim> &mesh, dealii::Triangulation<dim> &triangulation);
 } // namespace Sandglass
 
 #endif

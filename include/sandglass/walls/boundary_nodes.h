@@ -5,7 +5,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <sandglass/base/setting.h>
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/scene/boundary_role.h>
 #include <sandglass/walls/wall_parameters.h>
 
@@ -16,6 +16,7 @@ namespace Sandglass
   using namespace dealii;
 
   /// One straight stretch of boundary that holds a node.
+  template <int dim>
   struct NodeSupport
   {
     BoundaryRole   role;
@@ -29,12 +30,13 @@ namespace Sandglass
   };
 
   /// A node on the boundary and what supports it there.
+  template <int dim>
   struct BoundaryNode
   {
     types::global_dof_index dof;
     Point<dim>              position;
     /// One or two; two where the boundary's direction jumps.
-    std::vector<NodeSupport> supports;
+    std::vector<NodeSupport<dim>> supports;
     /// Whether the node must not move at all (paper, Section 5.1).
     bool is_fixed = false;
     /// Whether it lies on the edge of the open outlet.
@@ -54,7 +56,8 @@ namespace Sandglass
    * @param dof_handler  scalar, linear, on a triangulation whose boundary ids
    *                     are BoundaryRole values.
    */
-  std::vector<BoundaryNode>
+  template <int dim>
+  std::vector<BoundaryNode<dim>>
   find_boundary_nodes(const DoFHandler<dim> &dof_handler,
                       const Formulation      formulation,
                       const WallParameters  &parameters);

@@ -4,7 +4,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <sandglass/base/setting.h>
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/scene/boundary_role.h>
 
 #include <vector>
@@ -15,6 +15,7 @@ namespace Sandglass
    * Force between one stretch of wall and the material at one node. Both stages
    * report such forces; observers turn them into tractions.
    */
+  template <int dim>
   struct WallForce
   {
     dealii::Point<dim>     position;
@@ -31,10 +32,10 @@ namespace Sandglass
    * Unit tangent of a wall: the normal turned by 90 degrees so that it points
    * up, or along +x on a horizontal wall.
    */
-  inline dealii::Tensor<1, dim>
-  wall_tangent(const dealii::Tensor<1, dim> &normal)
+  inline dealii::Tensor<1, 2>
+  wall_tangent(const dealii::Tensor<1, 2> &normal)
   {
-    dealii::Tensor<1, dim> tangent{{-normal[1], normal[0]}};
+    dealii::Tensor<1, 2> tangent{{-normal[1], normal[0]}};
     const bool             points_down = tangent[1] < -1e-12;
     const bool points_left = std::abs(tangent[1]) <= 1e-12 && tangent[0] < 0.;
     return points_down || points_left ? -1. * tangent : tangent;

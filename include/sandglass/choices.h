@@ -1,0 +1,96 @@
+#ifndef sandglass_choices_h
+#define sandglass_choices_h
+
+#include <sandglass/base/type_list.h>
+#include <sandglass/continuum/axisymmetric.h>
+#include <sandglass/continuum/plane_strain.h>
+#include <sandglass/material/drucker_prager.h>
+#include <sandglass/scene/cell_type.h>
+
+/**
+ * @file
+ * The one table of compile-time choices. What is not listed here is not
+ * compiled, and not offered; what is listed is compiled with all others of its
+ * dimension.
+ */
+
+namespace Sandglass
+{
+  /// How the grid's dimensions stand for space.
+  using AllKinematics = TypeList<PlaneStrain, Axisymmetric>;
+
+  /// Shapes of cells.
+  using AllCellTypes =
+    TypeList<CellTypeTag<CellType::triangle, 2>,
+             CellTypeTag<CellType::quadrilateral, 2>>;
+
+  /// Constitutive laws that Material/Model offers.
+  using AllLaws = TypeList<DruckerPrager>;
+} // namespace Sandglass
+
+/// Call `INSTANTIATE(dim)` for each space dimension of the table's kinematics:
+/// the source files that define templates on the dimension end with it.
+#define SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE) INSTANTIATE(2)
+
+namespace Sandglass
+{
+  /// Call `function(TypeTag<Kinematics>())` for the kinematics of a formulation
+  /// in this dimension.
+  template <int dim, typename Function>
+  void
+  choose_kinematics(const Formulation formulation, const Function &function)
+  {
+    choose(
+      AllKinematics(),
+      [formulation](const auto kinematics) {
+        return decltype(kinematics)::Type::formulation == formulation;
+      },
+      [&function](const auto kinematics) {
+        if constexpr (decltype(kinematics)::Type::dim == dim)
+          function(kinematics);
+      });
+  }
+
+  /// Call `function(TypeTag<CellTypeTag<…>>())` for a cell type of this
+  /// dimension.
+  template <int dim, typename Function>
+  void
+  choose_cell_type(const CellType cell_type, const Function &function)
+  {
+    choose(
+      AllCellTypes(),
+      [cell_type](const auto cells) {
+        return decltype(cells)::Type::value == cell_type;
+      },
+      [&function](const auto cells) {
+        if constexpr (decltype(cells)::Type::dim == dim)
+          function(cells);
+      });
+  }
+
+  /// Call `function(TypeTag<Law>())` for the law of this name.
+  template <typename Laws = AllLaws, typename Function>
+  void
+  choose_law(const std::string &name, const Function &function)
+  {
+    choose(
+      Laws(),
+      [&name](const auto law) { return name == decltype(law)::Type::name; },
+      function);
+  }
+
+  /// Volume that a unit of the grid stands for at a position, for who knows the
+  /// formulation at run time only; see the kinematics' own measure().
+  template <int dim, typename Position>
+  double
+  measure(const Formulation formulation, const Position &position)
+  {
+    double result = 0.;
+    choose_kinematics<dim>(formulation, [&](const auto kinematics) {
+      result = decltype(kinematics)::Type::measure(position);
+    });
+    return result;
+  }
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,207 @@
+#ifndef sandglass_flow_particle_in_cell_cell_deformation_h
+#define sandglass_flow_particle_in_cell_cell_deformation_h
+
+#include <sandglass/flow/particle_in_cell/cell_integration.h>
+#include <sandglass/flow/particle_in_cell/stress_update.h>
+
+namespace Sandglass
+{
+  /// The volumetric rate that a cell's stressed particles take on.
+  struct AveragedRate
+  {
+    double rate;             ///< in 1/s
+    double smallest_density; ///< of stressed particles, in kg/m^3
+  };
+
+  /**
+   * What the velocity v^L of a cell's nodes does in one step to the particles
+   * in the cell. Where all of them deform alike, this is found once, the law's
+   * prediction included.
+   *
+   * @tparam is_averaged  whether stressed particles take on an AveragedRate
+   *                      instead of their own volumetric rate.
+   */
+  template <typename Setting, bool is_averaged>
+  class CellDeformation
+  {
+  public:
+    static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
+    static constexpr int          dim     = Setting::dim;
+
+    using Kinematics = typename Setting::Kinematics;
+    using Law        = typename Setting::Law;
+    using Shape      = typename Setting::Shape;
+    using State      = ParticleState<typename Setting::Layout, Lanes>;
+    using OfNodes    = CellValues<dim, n_nodes>;
+    using RateChange = typename CellIntegration<Setting>::RateChange;
+    template <typename Number>
+    using Vector = typename Setting::template Vector<Number>;
+
+    /**
+     * `shape`, `velocities` and `law` have to live as long as this object.
+     *
+     * @param velocities  of the cell's nodes, in m/s.
+     * @param change      what all particles' rates differ by from v^L's.
+     * @param averaged    if `is_averaged`.
+     */
+    CellDeformation(const Shape            &shape,
+                    const OfNodes          &velocities,
+                    const RateChange       &change,
+                    const AveragedRate     &averaged,
+                    const Law              &law,
+                    const StressIntegration integration,
+                    const double            time_step)
+      : shape(shape)
+      , velocities(velocities)
+      , change(change)
+      , averaged(averaged)
+      , law(law)
+      , integration(integration)
+      , time_step(time_step)
+    {
+      if constexpr (Setting::has_uniform_strain)
+        {
+          auto increment = increment_of(Vector<double>(), 0.);
+          uniform.own    = deformation(increment);
+          if constexpr (is_averaged)
+            {
+              increment.add_volume_change(time_step * averaged.rate -
+                                          increment.volume_change());
+              uniform.with_average = deformation(increment);
+            }
+        }
+    }
+
+    /**
+     * The deformation of a block of particles.
+     *
+     * @param velocity  v^L at the particles, in m/s.
+     */
+    auto
+    operator()(const State &state, const Vector<Lanes> &velocity) const
+    {
+      if constexpr (Setting::has_uniform_strain)
+        {
+          if constexpr (is_averaged)
+            return choose(state);
+          else
+            return uniform.own;
+        }
+      else
+        {
+          Lanes hoop_rate(0.);
+          if constexpr (Setting::has_hoop_strain)
+            hoop_rate = velocity[0] / state.location[0];
+          auto increment = increment_of(state.reference, hoop_rate);
+          if constexpr (is_averaged)
+            increment.add_volume_change(
+              select(is_stressed(state),
+                     Lanes(time_step * averaged.rate) -
+                       increment.volume_change(),
+                     Lanes(0.)));
+          return deformation(increment);
+        }
+    }
+
+  private:
+    template <typename Number>
+    using Increment = typename Kinematics::template Increment<Number>;
+
+    /// Of v^L with the change, in 1/s.
+    template <typename Number>
+    auto
+    velocity_gradient(const Vector<Number> &reference) const
+    {
+      if constexpr (Setting::has_constant_gradients)
+        return gradient_of(velocities, shape.shape_gradients(reference));
+      else
+        {
+          auto gradient = shape.gradient_of(velocities, reference);
+          for (unsigned int d = 0; d < dim; ++d)
+            for (unsigned int e = 0; e < dim; ++e)
+              gradient[d][e] += change.gradient[d][e];
+          return gradient;
+        }
+    }
+
+    template <typename Number>
+    Increment<Number>
+    increment_of(const Vector<Number> &reference, const Number &hoop_rate) const
+    {
+      auto gradient = velocity_gradient(reference);
+      for (auto &row : gradient)
+        for (auto &entry : row)
+          entry *= time_step;
+      Number hoop(0.);
+      if constexpr (Setting::has_hoop_strain)
+        hoop = time_step * (hoop_rate + change.hoop);
+      return {gradient, hoop, integration};
+    }
+
+    template <typename Number>
+    using Deformation = ParticleDeformation<
+      decltype(std::declval<Law>().predict(std::declval<Increment<Number>>(),
+                                           0.)),
+      decltype(std::declval<Increment<Number>>().rotation),
+      Number>;
+
+    template <typename Number>
+    Deformation<Number>
+    deformation(const Increment<Number> &increment) const
+    {
+      return {law.predict(increment, time_step),
+              increment.rotation,
+              Number(1.) / increment.jacobian};
+    }
+
+    auto
+    is_stressed(const State &state) const
+    {
+      return state.density >= Lanes(averaged.smallest_density);
+    }
+
+    /// One of the two uniform ones, by whether each particle is stressed. They
+    /// turn alike.
+    auto
+    choose(const State &state) const
+    {
+      const auto         takes_average = is_stressed(state);
+      const auto        &averaged_one  = uniform.with_average;
+      Deformation<Lanes> chosen;
+      for (int i = 0; i < chosen.prediction.size(); ++i)
+        chosen.prediction[i] = select(takes_average,
+                                      Lanes(averaged_one.prediction[i]),
+                                      Lanes(uniform.own.prediction[i]));
+      chosen.inverse_jacobian = select(takes_average,
+                                       Lanes(averaged_one.inverse_jacobian),
+                                       Lanes(uniform.own.inverse_jacobian));
+      return ParticleDeformation<decltype(chosen.prediction),
+                                 decltype(uniform.own.rotation),
+                                 Lanes>{chosen.prediction,
+                                        uniform.own.rotation,
+                                        chosen.inverse_jacobian};
+    }
+
+    /// What all particles of a cell have alike.
+    struct Uniform
+    {
+      Deformation<double> own;
+      Deformation<double> with_average; ///< with the averaged rate
+    };
+
+    struct Nothing
+    {};
+
+    const Shape            &shape;
+    const OfNodes          &velocities;
+    const RateChange        change;
+    const AveragedRate      averaged;
+    const Law              &law;
+    const StressIntegration integration;
+    const double            time_step;
+
+    std::conditional_t<Setting::has_uniform_strain, Uniform, Nothing> uniform;
+  };
+} // namespace Sandglass
+
+#endif

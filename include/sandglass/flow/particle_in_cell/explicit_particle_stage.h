@@ -1,0 +1,370 @@
+#ifndef sandglass_flow_particle_in_cell_explicit_particle_stage_h
+#define sandglass_flow_particle_in_cell_explicit_particle_stage_h
+
+#include <sandglass/flow/particle_in_cell/critical_time_step.h>
+#include <sandglass/flow/particle_in_cell/nodal_equations.h>
+#include <sandglass/flow/particle_in_cell/particle_pass.h>
+#include <sandglass/flow/particle_in_cell/particle_splitting.h>
+#include <sandglass/flow/particle_in_cell/particle_stage.h>
+#include <sandglass/flow/particle_in_cell/relocation.h>
+#include <sandglass/flow/particle_in_cell/stage_totals.h>
+#include <sandglass/particles/seeding.h>
+
+namespace Sandglass
+{
+  /// The particle stage with its compile-time choices made.
+  template <typename Setting>
+  class ExplicitParticleStage final
+    : public ParticleStage<typename Setting::Layout>
+  {
+  public:
+    static constexpr int dim = Setting::dim;
+
+    using Law        = typename Setting::Law;
+    using Layout     = typename Setting::Layout;
+    using Kinematics = typename Setting::Kinematics;
+    using Stage      = ParticleStage<Layout>;
+    using Scene      = typename Stage::Scene;
+    using Parcel     = typename Stage::Parcel;
+
+    ExplicitParticleStage(const Scene                   &scene,
+                          const MaterialParameters      &material,
+                          const WallParameters          &walls,
+                          const ParticleStageParameters &parameters)
+      : Stage(scene, walls, parameters)
+      , geometry(scene)
+      , initial_configuration(scene, geometry)
+      , unstressed_density(material.density)
+      , stress_update(Law(material),
+                      material.density,
+                      parameters.density_update)
+      , nodal_sums(geometry,
+                   CellStiffness<Setting>::stiff_share * material.density,
+                   parameters.force_integration == ForceIntegration::cell ?
+                     initial_configuration.points :
+                     std::vector<Point<dim>>())
+      , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
+      , volumetric_average(
+          *scene.nodes,
+          geometry,
+          parameters.density_update == DensityUpdate::separation ?
+            material.density :
+            0.,
+          parameters.volumetric_strain == VolumetricStrain::averaged)
+      , critical(stress_update.law, geometry, scene)
+      , relocation(scene, geometry, walls, parameters, removed)
+      , splitting(geometry,
+                  initial_configuration,
+                  scene.mesh,
+                  material.density,
+                  volumetric_average.smallest_density,
+                  parameters.split_particles)
+    {
+      seed_particles();
+      sum_over_particles();
+      if (parameters.has_automatic_time_step)
+        {
+          control.seeded_critical_time_step = find_critical_time_step();
+          control.last_local_eigenvalue     = local_eigenvalue();
+          control.seeded_local_eigenvalue   = control.last_local_eigenvalue;
+        }
+    }
+
+    void
+    step() override
+    {
+      // Steps 2 to 4: sums over the particles, left by the last pass
+      begin(StepPart::mass_matrix);
+      mass_matrix.assemble(cloud.blocks(), nodal_sums, fields.sums);
+      begin(StepPart::time_step);
+      time.time_step = this->choose_time_step();
+      // Step 2: nodal velocity
+      begin(StepPart::nodal_equations);
+      solve_velocity(fields, *scene.nodes, mass_matrix);
+      // Steps 4 and 5: contact and nodal acceleration
+      solve_acceleration(fields,
+                         *scene.nodes,
+                         mass_matrix,
+                         contact,
+                         scene.gravity,
+                         time.time_step);
+      // Step 7: the velocity that deforms and moves the particles
+      begin(StepPart::velocity_map);
+      nodal_sums.map_momentum(cloud.blocks(),
+                              fields.acceleration,
+                              time.time_step,
+                              fields.mapped_velocity);
+      solve_mapped_velocity(fields, mass_matrix, contact, time.time_step);
+      begin(StepPart::volumetric_strain);
+      volumetric_average.compute(cloud.blocks(),
+                                 nodal_sums,
+                                 fields.mapped_velocity);
+      // Steps 6, 8 and 9: velocity, stress, density and position
+      begin(StepPart::particles);
+      particle_steps += cloud.n_locally_owned_particles();
+      plastic_dissipation +=
+        volumetric_average.is_on ? pass<true>() : pass<false>();
+      begin(StepPart::relocation);
+      const auto &arrivals = relocation.relocate(strays, cloud, time);
+      for_each_sums([&](auto &cells) { cells.add(cloud.blocks(), arrivals); });
+      contact.add_impulses(relocation.wall_impulses);
+      begin(StepPart::splitting);
+      if (splitting.is_on() && time.step % splitting.interval == 0)
+        split_particles();
+      begin(StepPart::sums_at_nodes);
+      scatter_sums();
+      // Step 10
+      time.time += time.time_step;
+      ++time.step;
+      begin(StepPart::order);
+      this->check_speed();
+      cloud.change_blocks().sort_if_mixed();
+      begin(StepPart::done);
+    }
+
+    Point<dim>
+    initial_position(const types::particle_index id) const override
+    {
+      return initial_configuration.position(id);
+    }
+
+  private:
+    using Stage::begin;
+    using Stage::cloud;
+    using Stage::contact;
+    using Stage::control;
+    using Stage::fields;
+    using Stage::parameters;
+    using Stage::particle_steps;
+    using Stage::plastic_dissipation;
+    using Stage::removed;
+    using Stage::scene;
+    using Stage::time;
+
+    /// Steps 6, 8 and 9, and the next step's sums; returns the plastic work.
+    template <bool is_averaged>
+    double
+    pass()
+    {
+      return ParticlePass<Setting, is_averaged>(
+               geometry,
+               stress_update,
+               parameters.stress_integration,
+               time.time_step)
+        .run(cloud.change_blocks(),
+             fields.acceleration,
+             fields.mapped_velocity,
+             nodal_sums,
+             volumetric_average,
+             strays);
+    }
+
+    /// Call `function(sums)` for the sums over particles in their cells.
+    template <typename Function>
+    void
+    for_each_sums(const Function &function)
+    {
+      function(nodal_sums.cells);
+      if (volumetric_average.is_on)
+        function(*volumetric_average.cells);
+    }
+
+    void
+    split_particles()
+    {
+      splitting.split(cloud.change_blocks(),
+                      fields.mapped_velocity,
+                      [this](const unsigned int cell) {
+                        for_each_sums([&](auto &cells) {
+                          cells.compute(cloud.blocks(), cell);
+                        });
+                      });
+    }
+
+    void
+    sum_over_particles() override
+    {
+      for_each_sums([&](auto &cells) { cells.compute(cloud.blocks()); });
+      scatter_sums();
+    }
+
+    void
+    scatter_sums()
+    {
+      if (parameters.has_automatic_time_step)
+        scatter_with_stiffness(fields.sums);
+      else
+        nodal_sums.scatter(cloud.blocks(), nullptr, fields.sums);
+    }
+
+    void
+    scatter_with_stiffness(NodalSumField<dim> &sums) const
+    {
+      nodal_sums.scatter(
+        cloud.blocks(),
+        [this](const unsigned int cell) {
+          return critical.confined_modulus(cell);
+        },
+        sums);
+    }
+
+    std::vector<double>
+    pack_cell_sums() const override
+    {
+      std::vector<double> packed;
+      for_each_filled_cell(cloud.blocks(), [&](const unsigned int cell) {
+        packed.push_back(cell);
+        const auto pack = [&packed, cell](const auto &cells) {
+          const auto &values = cells[cell].values;
+          packed.insert(packed.end(), values.begin(), values.end());
+        };
+        pack(nodal_sums.cells);
+        if (volumetric_average.is_on)
+          pack(*volumetric_average.cells);
+      });
+      return packed;
+    }
+
+    void
+    unpack_cell_sums(const std::vector<double> &packed) override
+    {
+      for (auto next = packed.begin(); next != packed.end();)
+        {
+          const auto cell = static_cast<unsigned int>(*next++);
+          for_each_sums([&](auto &cells) { next = cells.unpack(cell, next); });
+        }
+      scatter_sums();
+    }
+
+    FlowTotals
+    totals() const override
+    {
+      return sum_up<Setting>(cloud.blocks(),
+                             stress_update.law,
+                             removed,
+                             plastic_dissipation +
+                               contact.friction_dissipation(),
+                             contact.wall_work(),
+                             particle_steps,
+                             scene.communicator);
+    }
+
+    std::vector<StateVariable>
+    state_variables() const override
+    {
+      return {Law::state_variables.begin(), Law::state_variables.end()};
+    }
+
+    void
+    set_initial_state(const InitialStateFunction<dim>  &initial_state,
+                      Particles::ParticleAccessor<dim> &particle) const override
+    {
+      const auto              cell    = particle.get_surrounding_cell();
+      const InitialState<dim> initial =
+        initial_state(cell->active_cell_index(),
+                      particle.get_reference_location());
+      const auto state = particle.get_properties();
+      std::copy_n(initial.stress.data(),
+                  initial.stress.size(),
+                  state.begin() + Layout::stress);
+      state[Layout::density] = unstressed_density / initial.volume_ratio;
+      std::copy(initial.law_state.begin(),
+                initial.law_state.end(),
+                state.begin() + Layout::law_state);
+      particle.set_location(particle.get_location() + initial.displacement);
+      particle.set_reference_location(geometry.shape(cell->active_cell_index())
+                                        .to_reference(particle.get_location()));
+    }
+
+    void
+    relocate_strays() override
+    {
+      using Block = ParticleBlock<Layout>;
+      std::vector<ParticleSlot> slots;
+      cloud.blocks().for_each([&](const ParticleSlot &slot) {
+        const Point<dim> reference =
+          cloud.blocks()[slot.block].point(Block::reference, slot.lane);
+        if (!CellGeometry<Setting::cell_type>::is_inside(
+              reference, Relocation<Setting>::margin))
+          slots.push_back(slot);
+      });
+      strays.clear();
+      // The order that ParticleBlocks::remove() asks for.
+      for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot)
+        strays.add(*slot);
+      strays.take_out(cloud.change_blocks());
+      relocation.relocate(strays, cloud, time);
+    }
+
+    void
+    seed_particles()
+    {
+      const auto        &points = initial_configuration.points;
+      const unsigned int n      = points.size();
+      const auto law_state      = stress_update.law.initial_state();
+      for (const auto &cell : cloud.owned_cells())
+        {
+          const unsigned int index = cell->active_cell_index();
+          if (!scene.mesh.cells[index].is_filled)
+            continue;
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              Parcel parcel{};
+              parcel.cell            = index;
+              parcel.id              = n * index + k;
+              parcel.reference_point = points[k];
+              parcel.location = initial_configuration.position(parcel.id);
+              parcel.properties[Layout::mass] =
+                unstressed_density * initial_configuration.volume(parcel.id);
+              parcel.properties[Layout::density] = unstressed_density;
+              std::copy(law_state.begin(),
+                        law_state.end(),
+                        parcel.properties.begin() + Layout::law_state);
+              cloud.insert(parcel);
+            }
+        }
+    }
+
+    double
+    find_critical_time_step() const override
+    {
+      // Within a few per cent of the eigenvalue; the safety factor covers them.
+      constexpr unsigned int n_iterations = 7;
+      mass_matrix.assemble(cloud.blocks(), nodal_sums, fields.sums);
+      critical.assemble(cloud.blocks(), nodal_sums);
+      const auto compute = [this](const NodalSumField<dim> &sums) {
+        return critical.compute(
+          cloud.blocks(), nodal_sums, mass_matrix, contact, sums, n_iterations);
+      };
+      if (parameters.has_automatic_time_step && Law::has_constant_stiffness)
+        return compute(fields.sums);
+      NodalSumField<dim> sums = fields.sums;
+      scatter_with_stiffness(sums);
+      return compute(sums);
+    }
+
+    double
+    local_eigenvalue() const override
+    {
+      return critical.local_eigenvalue(fields.sums);
+    }
+
+    const CellGeometry<Setting::cell_type>                     geometry;
+    const InitialConfiguration<Kinematics, Setting::cell_type> initial_configuration;
+    const double               unstressed_density;
+    const StressUpdate<Law>    stress_update;
+    NodalSums<Setting>         nodal_sums;
+    VolumetricAverage<Setting> volumetric_average;
+    Relocation<Setting>        relocation;
+    ParticleSplitting<Setting> splitting;
+
+    // What they know is found anew in each step, so a view may use them too.
+    mutable MassMatrix<Setting>       mass_matrix;
+    mutable CriticalTimeStep<Setting> critical;
+
+    /// Kept between steps to avoid allocation.
+    Strays<Layout> strays;
+  };
+} // namespace Sandglass
+
+#endif

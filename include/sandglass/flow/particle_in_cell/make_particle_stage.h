@@ -1,0 +1,22 @@
+#ifndef sandglass_flow_particle_in_cell_make_particle_stage_h
+#define sandglass_flow_particle_in_cell_make_particle_stage_h
+
+#include <sandglass/flow/make_flow.h>
+
+namespace Sandglass
+{
+  /**
+   * The particle stage of one kinematics and cell type, with the law that the
+   * parameters name. Defined in make_particle_stage.templates.h and instantiated
+   * in one source file for each kinematics and cell type, so that these compile
+   * at the same time.
+   */
+  template <typename Kinematics, CellType cell_type>
+  std::unique_ptr<DynamicFlow<Kinematics::dim>>
+  make_particle_stage(const Scene<Kinematics::dim>  &scene,
+                      const MaterialParameters      &material,
+                      const WallParameters          &walls,
+                      const ParticleStageParameters &parameters);
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,30 @@
+#ifndef sandglass_flow_particle_in_cell_make_particle_stage_templates_h
+#define sandglass_flow_particle_in_cell_make_particle_stage_templates_h
+
+#include <sandglass/choices.h>
+#include <sandglass/flow/particle_in_cell/explicit_particle_stage.h>
+#include <sandglass/flow/particle_in_cell/make_particle_stage.h>
+
+namespace Sandglass
+{
+  template <typename Kinematics, CellType cell_type>
+  std::unique_ptr<DynamicFlow<Kinematics::dim>>
+  make_particle_stage(const Scene<Kinematics::dim>  &scene,
+                      const MaterialParameters      &material,
+                      const WallParameters          &walls,
+                      const ParticleStageParameters &parameters)
+  {
+    std::unique_ptr<DynamicFlow<Kinematics::dim>> stage;
+    choose_law(material.model, [&](const auto law) {
+      using Law = typename decltype(law)::Type;
+      stage     = std::make_unique<
+        ExplicitParticleStage<Setting<Kinematics, cell_type, Law>>>(scene,
+                                                                    material,
+                                                                    walls,
+                                                                    parameters);
+    });
+    return stage;
+  }
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,168 @@
+#ifndef sandglass_flow_particle_in_cell_particle_pass_h
+#define sandglass_flow_particle_in_cell_particle_pass_h
+
+#include <sandglass/flow/particle_in_cell/cell_deformation.h>
+#include <sandglass/flow/particle_in_cell/nodal_sums.h>
+#include <sandglass/flow/particle_in_cell/particle_motion.h>
+#include <sandglass/flow/particle_in_cell/relocation.h>
+#include <sandglass/flow/particle_in_cell/volumetric_average.h>
+#include <sandglass/particles/strays.h>
+
+namespace Sandglass
+{
+  /**
+   * The one pass over the particles in a step of Section 4.4, block by block:
+   * velocity (step 6), stress and density (step 8) and position (step 9) of
+   * each particle, and its share of the next step's sums (steps 2 to 4).
+   *
+   * @tparam is_averaged  whether stressed particles take their cell's averaged
+   *                      change of volume.
+   */
+  template <typename Setting, bool is_averaged>
+  class ParticlePass
+  {
+  public:
+    static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
+    static constexpr int          dim     = Setting::dim;
+
+    using Law      = typename Setting::Law;
+    using Layout   = typename Setting::Layout;
+    using Shape    = typename Setting::Shape;
+    using Geometry = CellGeometry<Setting::cell_type>;
+    using Blocks   = ParticleBlocks<Layout>;
+
+    ParticlePass(const Geometry                     &geometry,
+                 const StressUpdate<Law> &stress_update,
+                 const StressIntegration             integration,
+                 const double                        time_step)
+      : geometry(geometry)
+      , stress_update(stress_update)
+      , integration(integration)
+      , time_step(time_step)
+    {}
+
+    /**
+     * @param acceleration  of step 5, in m/s^2.
+     * @param velocity      v^L of step 7, in m/s.
+     * @param[out] sums     of the particles that are still in their cells.
+     * @param[in,out] volumetric_average  of velocity; then the sums for the
+     *                      next one.
+     * @param[out] strays   the others, taken out of the blocks.
+     * @return the plastic work of the step in J.
+     */
+    double
+    run(Blocks                     &blocks,
+        const NodalField<dim>      &acceleration,
+        const NodalField<dim>      &velocity,
+        NodalSums<Setting>         &sums,
+        VolumetricAverage<Setting> &volumetric_average,
+        Strays<Layout>             &strays) const
+    {
+      strays.clear();
+      Lanes dissipation(0.);
+      run_with_widest_vectors([&]() {
+        for_each_cell_of_particles(blocks, [&](const unsigned int cell) {
+          const auto &nodes = geometry.nodes(cell);
+          run_in_cell(blocks,
+                      cell,
+                      gather(acceleration, nodes),
+                      gather(velocity, nodes),
+                      dissipation,
+                      sums,
+                      volumetric_average,
+                      strays);
+        });
+      });
+      return sum(dissipation);
+    }
+
+  private:
+    using OfNodes     = CellValues<dim, n_nodes>;
+    using Deformation = CellDeformation<Setting, is_averaged>;
+
+    void
+    run_in_cell(Blocks                     &blocks,
+                const unsigned int          cell,
+                const OfNodes              &accelerations,
+                const OfNodes              &velocities,
+                Lanes                      &dissipation,
+                NodalSums<Setting>         &sums,
+                VolumetricAverage<Setting> &volumetric_average,
+                Strays<Layout>             &strays) const
+    {
+      const Shape &shape = geometry.shape(cell);
+
+      typename Deformation::RateChange change;
+      AveragedRate                     averaged{};
+      if constexpr (is_averaged)
+        {
+          change   = volumetric_average.rate_change(cell);
+          averaged = {volumetric_average.rate(cell),
+                      volumetric_average.smallest_density};
+        }
+      else if constexpr (!Setting::has_uniform_strain)
+        change = sums.rate_change(cell, velocities);
+      const Deformation deformation(shape,
+                                    velocities,
+                                    change,
+                                    averaged,
+                                    stress_update.law,
+                                    integration,
+                                    time_step);
+
+      CellSums<Setting, Lanes>       cell_sums;
+      VolumetricSums<Setting, Lanes> volumetric_sums;
+      cell_sums.clear();
+      volumetric_sums.clear();
+      blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
+        ParticleState<Layout, Lanes> state  = load_state(blocks[block]);
+        const auto           values = Shape::shape_values(state.reference);
+        accelerate(interpolate(accelerations, values), time_step, state);
+
+        const auto  velocity = interpolate(velocities, values);
+        const Lanes       work_density =
+          stress_update(state, deformation(state, velocity));
+        dissipation += state.volume() * work_density;
+
+        move(velocity, time_step, shape, state);
+        store_state(state, blocks[block]);
+
+        const auto is_inside =
+          Geometry::is_inside(state.reference, smallest_distance);
+        if (!all(is_inside))
+          add_strays(is_inside, {cell, block, 0}, blocks, strays);
+        state.mass = select(is_inside, state.mass, Lanes(0.));
+        cell_sums.add(state, sums.cells.smallest_density, shape);
+        if constexpr (is_averaged)
+          volumetric_sums.add(state,
+                              volumetric_average.smallest_density,
+                              shape);
+      });
+      strays.take_out(blocks);
+      sums.cells.set(cell, cell_sums);
+      if constexpr (is_averaged)
+        volumetric_average.cells->set(cell, volumetric_sums);
+    }
+
+    static void
+    add_strays(const Lanes::Mask    &is_inside,
+               ParticleSlot          slot,
+               const Blocks         &blocks,
+               Strays<Layout>       &strays)
+    {
+      for (slot.lane = blocks.n_lanes(slot.block); slot.lane-- > 0;)
+        if (!is_inside[slot.lane])
+          strays.add(slot);
+    }
+
+    const Geometry                     &geometry;
+    const StressUpdate<Law> &stress_update;
+    const StressIntegration             integration;
+    const double                        time_step;
+
+    static constexpr double smallest_distance =
+      Relocation<Setting>::margin;
+  };
+} // namespace Sandglass
+
+#endif

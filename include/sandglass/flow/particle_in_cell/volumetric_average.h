@@ -1,0 +1,144 @@
+#ifndef sandglass_flow_particle_in_cell_volumetric_average_h
+#define sandglass_flow_particle_in_cell_volumetric_average_h
+
+#include <sandglass/flow/particle_in_cell/nodal_sums.h>
+#include <sandglass/flow/particle_in_cell/volumetric_sums.h>
+
+#include <memory>
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * The volumetric deformation rate of each cell, averaged over its
+   * neighbourhood, against the locking of linear cells under plastic flow that
+   * keeps the volume: first the mean of the cells at each node, weighted by the
+   * volume of their stressed particles, then the mean of the cell's nodes.
+   *
+   * With the elastic law p = -K theta this is the average nodal pressure
+   * element of Bonet and Burton (1998): the averaging is symmetric with respect
+   * to the weights, so the stiffness matrix stays symmetric, and with
+   * eigenvalues between 0 and 1, so the critical time step does not become
+   * shorter.
+   *
+   * Particles less dense than `smallest_density` are separated; they don't
+   * count, and keep their own rate.
+   */
+  template <typename Setting>
+  class VolumetricAverage
+  {
+  public:
+    static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
+    static constexpr int          dim     = Setting::dim;
+
+    using Geometry = CellGeometry<Setting::cell_type>;
+    using Blocks   = ParticleBlocks<typename Setting::Layout>;
+    using Sums                            = SumsByCell<Setting, VolumetricSums>;
+    using RateChange = typename CellIntegration<Setting>::RateChange;
+
+    /// @param smallest_density  of stressed particles, in kg/m^3.
+    VolumetricAverage(const Utilities::MPI::Partitioner &nodes,
+                      const Geometry                    &geometry,
+                      const double                       smallest_density,
+                      const bool                         is_on)
+      : is_on(is_on)
+      , smallest_density(smallest_density)
+      , geometry(geometry)
+      , n_owned_nodes(nodes.locally_owned_size())
+    {
+      if (!is_on)
+        return;
+      cells = std::make_unique<Sums>(geometry, smallest_density);
+      nodal = std::make_unique<NodalField<n_values>>(nodes);
+      if constexpr (!Setting::has_uniform_strain)
+        rate_changes.resize(geometry.n_cells());
+    }
+
+    /**
+     * Find the averages for a velocity field with its ghosts. Collective; does
+     * nothing if it is off.
+     *
+     * @param sums  of the particles' present positions, as the own ones.
+     */
+    void
+    compute(const Blocks             &blocks,
+            const NodalSums<Setting> &sums,
+            const NodalField<dim>    &velocity)
+    {
+      if (!is_on)
+        return;
+      nodal->start_sum();
+      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+        const auto  &nodes      = geometry.nodes(cell);
+        const auto   velocities = gather(velocity, nodes);
+        const auto  &of_cell    = (*cells)[cell];
+        const double volume =
+          of_cell.values[VolumetricSums<Setting, double>::volume];
+        double rate_times_volume =
+          of_cell.rate_times_volume(geometry.shape(cell), velocities);
+        if constexpr (!Setting::has_uniform_strain)
+          {
+            rate_changes[cell] = sums.rate_change(cell, velocities);
+            rate_times_volume += volume * rate_changes[cell].volumetric();
+          }
+
+        CellValues<n_values, n_nodes> contributions;
+        contributions.fill({{volume, rate_times_volume}});
+        scatter(contributions, nodes, *nodal);
+      });
+      nodal->finish_sum();
+      for (unsigned int node = 0; node < n_owned_nodes; ++node)
+        {
+          double *values = nodal->at(node);
+          if (values[Value::node_volume] > 0.)
+            values[Value::node_rate] /= values[Value::node_volume];
+        }
+      nodal->update_ghosts();
+    }
+
+    /// The average in 1/s at a cell that holds stressed particles.
+    double
+    rate(const unsigned int cell) const
+    {
+      double sum = 0.;
+      for (const unsigned int node : geometry.nodes(cell))
+        sum += nodal->at(node)[Value::node_rate];
+      return sum / n_nodes;
+    }
+
+    /// Of the last compute(), see NodalSums::rate_change().
+    RateChange
+    rate_change(const unsigned int cell) const
+    {
+      if constexpr (Setting::has_uniform_strain)
+        return {};
+      else
+        return rate_changes[cell];
+    }
+
+    const bool is_on;
+
+    /// Of stressed particles, in kg/m^3.
+    const double smallest_density;
+
+    /// Of the particles' present positions; none if it is off.
+    std::unique_ptr<Sums> cells;
+
+  private:
+    enum Value : unsigned int
+    {
+      node_volume, ///< of stressed particles in the cells around the node, in
+                   ///< m^3
+      node_rate,   ///< mean of those cells, in 1/s; before, times the volume
+      n_values
+    };
+
+    const Geometry                       &geometry;
+    const unsigned int                    n_owned_nodes;
+    std::unique_ptr<NodalField<n_values>> nodal;
+    /// Of each cell with particles, unless strain is uniform.
+    std::vector<RateChange> rate_changes;
+  };
+} // namespace Sandglass
+
+#endif

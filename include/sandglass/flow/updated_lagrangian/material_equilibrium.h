@@ -1,0 +1,162 @@
+#ifndef sandglass_flow_updated_lagrangian_material_equilibrium_h
+#define sandglass_flow_updated_lagrangian_material_equilibrium_h
+
+#include <deal.II/fe/fe_values.h>
+
+#include <sandglass/flow/updated_lagrangian/equilibrium.h>
+
+namespace Sandglass
+{
+  /// Equilibrium of material of one law with one kinematics.
+  template <typename Kinematics, typename Law>
+  class MaterialEquilibrium : public Equilibrium<Kinematics::dim>
+  {
+  public:
+    static constexpr int dim = Kinematics::dim;
+
+    using Base       = Equilibrium<dim>;
+    using Vector     = typename Base::Vector;
+    using BodyForce  = typename Base::BodyForce;
+    using PointState = typename Base::PointState;
+    using Stress     = typename Kinematics::template Stress<>;
+    using Gradient   = typename Kinematics::Response::Gradient;
+
+    /// At a quadrature point; "before" is the start of the load step.
+    struct MaterialPoint
+    {
+      Stress                stress_before = Stress::Zero();   ///< in Pa
+      Stress                stress        = Stress::Zero();   ///< in Pa
+      Gradient              gradient      = Gradient::Zero(); ///< H
+      LawState<Law, double> law_state_before, law_state;
+      /// Current over unloaded volume.
+      double volume_ratio_before = 1., volume_ratio = 1.;
+    };
+
+    /// @param density  of the unloaded material, in kg/m^3.
+    MaterialEquilibrium(const FilledGrid<dim> &grid,
+                        const Law             &law,
+                        const double           density,
+                        const Tensor<1, dim>  &gravity);
+
+    /// Under a body force that varies in space, as manufactured solutions have.
+    MaterialEquilibrium(const FilledGrid<dim> &grid,
+                        const Law             &law,
+                        const double           density,
+                        const BodyForce       &body_force);
+
+    void
+    start_step() override;
+
+    void
+    evaluate_forces(const Vector &increment,
+                    const double  load_share,
+                    Vector       &forces) override;
+
+    void
+    assemble_tangent(const WallContact<dim> &contact,
+                     const double            elastic_share,
+                     TangentMatrix<dim>     &matrix) const override;
+
+    PointState
+    point_state(const unsigned int index) const override
+    {
+      const MaterialPoint &point = points[index];
+      return {point.stress,
+              point.volume_ratio,
+              {point.law_state.begin(), point.law_state.end()}};
+    }
+
+    double
+    confined_modulus() const override
+    {
+      return law.stiffness_bound().confined_modulus();
+    }
+
+    /// Quadrature point q of active cell i has the index i * n_points + q. Only
+    /// those of FilledGrid::local_cells mean anything.
+    const std::vector<MaterialPoint> &
+    material_points() const
+    {
+      return points;
+    }
+
+  private:
+    using LocalCell        = typename FilledGrid<dim>::LocalCell;
+    using GradientOperator = typename Kinematics::GradientOperator;
+
+    /// Degrees of freedom of a cell's displacement.
+    static constexpr int n_simplex_dofs = dim * (dim + 1);
+    static constexpr int n_cube_dofs    = dim << dim;
+
+    /// Add to the values at those of the cell's nodes that this rank owns.
+    void
+    add_to(const LocalCell                        &local_cell,
+           const Eigen::Ref<const Eigen::VectorXd> values,
+           Vector                                 &vector) const;
+
+    /// Weight and unloaded configuration.
+    void
+    set_up(const double density, const BodyForce &body_force);
+
+    void
+    set_up_point(const FEValues<dim> &fe_values,
+                 const unsigned int   q,
+                 const unsigned int   index);
+
+    /// Make the deformed configuration the reference of one point.
+    void
+    start_step(const unsigned int index);
+
+    template <int n_dofs>
+    void
+    update_stress(const Eigen::Matrix<double, n_dofs, 1> &increment,
+                  const unsigned int                      index);
+
+    /// @tparam n_dofs  per cell; known to the compiler, it saves a fifth of the
+    ///                 time.
+    template <int n_dofs>
+    void
+    add_internal_forces(const Vector &increment, Vector &forces);
+
+    /// Of the last evaluate_forces().
+    MaterialTangent<Kinematics::n_components>
+    tangent_of_law(const MaterialPoint &point, const double elastic_share) const
+    {
+      const auto step = Kinematics::Response::increment(point.gradient);
+      return law.tangent(rotate(point.stress_before, step.rotation),
+                         point.law_state_before,
+                         step,
+                         elastic_share);
+    }
+
+    template <int n_dofs>
+    Eigen::Matrix<double, n_dofs, n_dofs>
+    cell_tangent(const CellAccessor<dim> &cell,
+                 const WallContact<dim>  &contact,
+                 const double             elastic_share) const;
+
+    template <int n_dofs>
+    void
+    add_cell_tangents(const WallContact<dim> &contact,
+                      const double            elastic_share,
+                      TangentMatrix<dim>     &matrix) const;
+
+    bool
+    has_simplices() const
+    {
+      return grid.finite_element.n_dofs_per_cell() == n_simplex_dofs;
+    }
+
+    const FilledGrid<dim> &grid;
+    const Law              law;
+
+    std::vector<MaterialPoint>    points;
+    std::vector<GradientOperator> gradient_operators;
+    /// In the reference configuration, in m^3 (plane strain: per m of depth).
+    std::vector<double> volumes;
+  };
+} // namespace Sandglass
+
+#include <sandglass/flow/updated_lagrangian/material_equilibrium.templates.h>
+
+#endif

@@ -1,0 +1,104 @@
+#ifndef sandglass_flow_updated_lagrangian_newton_solver_h
+#define sandglass_flow_updated_lagrangian_newton_solver_h
+
+#include <sandglass/flow/updated_lagrangian/equilibrium.h>
+#include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
+#include <sandglass/flow/updated_lagrangian/tangent_matrix.h>
+#include <sandglass/flow/updated_lagrangian/tangent_solver.h>
+#include <sandglass/flow/updated_lagrangian/wall_contact.h>
+
+namespace Sandglass
+{
+  /// How Newton's method ended.
+  struct NewtonResult
+  {
+    bool         has_converged;
+    unsigned int n_iterations;
+    unsigned int n_linear_iterations; ///< of the TangentSolver
+    double       residual;
+  };
+
+  /**
+   * Newton's method for one load step, with a line search. Where the exact
+   * tangent gives no descent, elastic stiffness is mixed into it until it does.
+   *
+   * Residuals are l2 norms of the nodal out-of-balance forces over that of the
+   * whole weight's nodal forces.
+   */
+  template <int dim>
+  class NewtonSolver
+  {
+  public:
+    using Vector = DisplacementVector;
+
+    NewtonSolver(const FilledGrid<dim>            &grid,
+                 Equilibrium<dim>                 &equilibrium,
+                 WallContact<dim>                 &contact,
+                 const StaticStageParameters &parameters);
+
+    using Result = NewtonResult;
+
+    /**
+     * @param[in]     displacement_before  at the start of the step.
+     * @param[in,out] increment  of the displacement: initial guess in, result
+     *                           out. Both with ghost entries.
+     * @param[in]     load_share  share of gravity at the end of the step.
+     */
+    Result
+    solve(const Vector &displacement_before,
+          const double  load_share,
+          Vector       &increment);
+
+    /// Whether tangents are factorized, or inverted approximately.
+    bool
+    is_direct() const
+    {
+      return tangent.storage == TangentStorage::columns;
+    }
+
+  private:
+    /// The iterations, without a count of linear ones.
+    Result
+    iterate(Vector &increment);
+
+    /// Bring all state to an iterate; returns the residual.
+    double
+    evaluate(const Vector &increment);
+
+    /// Solve for the Newton step at the last iterate that evaluate() was called
+    /// with; false if the tangent is singular.
+    bool
+    find_step(const double elastic_share, const double residual_norm);
+
+    /**
+     * Go along the step by the factor that lowers the residual most among 1,
+     * 1/2, ..., 1/32, and bring all state there.
+     *
+     * @return the factor, or 0 if none lowers the residual.
+     */
+    double
+    search_line(Vector &increment, double &residual_norm);
+
+    /// Go along the step by this factor, and bring all state there; returns the
+    /// residual.
+    double
+    follow_step(Vector &increment, const double factor);
+
+    /// `result` is the increment less the step times the factor.
+    void
+    move(const Vector &increment, const double factor, Vector &result) const;
+
+    const FilledGrid<dim>            &grid;
+    Equilibrium<dim>                 &equilibrium;
+    WallContact<dim>                 &contact;
+    const StaticStageParameters &parameters;
+
+    TangentMatrix<dim> tangent;
+    TangentSolver<dim> tangent_solver;
+    Vector        forces, residual, step, trial, displacement;
+    const Vector *displacement_before = nullptr;
+    double        load_share          = 0.;
+  };
+} // namespace Sandglass
+
+#endif

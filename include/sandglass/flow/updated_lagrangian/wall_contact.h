@@ -1,0 +1,194 @@
+#ifndef sandglass_flow_updated_lagrangian_wall_contact_h
+#define sandglass_flow_updated_lagrangian_wall_contact_h
+
+#include <sandglass/flow/updated_lagrangian/filled_grid.h>
+#include <sandglass/walls/boundary_nodes.h>
+#include <sandglass/walls/wall_force.h>
+
+#include <array>
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * Unilateral contact with Coulomb friction at the nodes of the silo's walls
+   * during quasi-static loading, without a penalty in the normal direction.
+   *
+   * Let G be a node's out-of-balance force without contact (internal minus
+   * external). In equilibrium the walls supply it: G = -F_N n + F_T t with the
+   * outward normal n and the tangent t. A node in contact therefore trades its
+   * two equations G = 0 for
+   *
+   *     n u = 0                        normal displacement
+   *     t G + c_T A t Du - F_T^n = 0   if it sticks
+   *     (t + s mu n) G = 0             if it slides; s is the sign of F_T
+   *
+   * (paper, Sections 2.3 and 4.2; Du: increment since the start of the load
+   * step, where the friction force was F_T^n; A: tributary area). Whether a
+   * node sticks or slides follows from the current iterate, so that the
+   * equations are continuous; which supports are in contact changes only by
+   * update_contact().
+   *
+   * A node with two supports in contact can't move, and they share its force
+   * along their two normals. Where two walls meet, a node starts on the one
+   * that carries more of its weight: at the top of a hopper it can slide, and
+   * closes the gap to the vertical wall only if it is pushed there.
+   */
+  template <int dim>
+  class WallContact
+  {
+  public:
+    using Vector = DisplacementVector;
+
+    /**
+     * @param weight            nodal forces of the whole weight in N, with
+     *                          ghost entries.
+     * @param constraint_scale  stiffness in N/m by which equations of normal
+     *                          displacement are multiplied, so that they are
+     *                          of the size of the others.
+     */
+    WallContact(const FilledGrid<dim>     &grid,
+                const Formulation     formulation,
+                const WallParameters &parameters,
+                const Vector         &weight,
+                const double          constraint_scale);
+
+    /**
+     * The equations that a node has instead of G = 0: their residual, and their
+     * tangent force_operator dG/du + stiffness.
+     */
+    struct NodeEquations
+    {
+      Tensor<2, dim> force_operator;
+      Tensor<2, dim> stiffness; ///< in N/m
+      Tensor<1, dim> residual;  ///< in N
+    };
+
+    /**
+     * Set up all nodes' equations at an iterate.
+     *
+     * @param force         G, in N, with ghost entries.
+     * @param displacement  since the unloaded state, with ghost entries.
+     * @param increment     since the start of the load step, likewise.
+     */
+    void
+    evaluate(const Vector &force,
+             const Vector &displacement,
+             const Vector &increment);
+
+    /// Null for a vertex without support.
+    const NodeEquations *
+    equations_at(const unsigned int vertex_index) const;
+
+    /// Overwrite the residual, in owned entries, where nodes are supported.
+    void
+    replace_residual(Vector &residual) const;
+
+    /// Call `add(dof_i, dof_j, value)` for the owned nodes' stiffness.
+    template <typename Function>
+    void
+    add_stiffness(const Function &add) const;
+
+    /**
+     * Release supports that pull, and close those that the displacement has
+     * passed. Needs evaluate() at the same iterate. A pull below the node's own
+     * weight is let be, without friction: the mesh doesn't resolve it, and at
+     * the free surface the released node would often find no other place.
+     *
+     * @param load_share  share of gravity that acts.
+     * @return number of changes on all ranks.
+     */
+    unsigned int
+    update_contact(const double load_share);
+
+    /// Keep forces and contact as the start of the next load step.
+    void
+    commit();
+    /// Go back to the start of the load step.
+    void
+    restore();
+
+    /// Of the owned nodes.
+    std::vector<WallForce<dim>>
+    wall_forces() const;
+
+  private:
+    struct Support
+    {
+      BoundaryRole   role;
+      Tensor<1, dim> normal, tangent;
+      double         tributary_area; ///< in m^2
+      /// Can pull as well as push.
+      bool is_bilateral;
+
+      bool   is_active        = true;
+      double gap              = 0.; ///< normal displacement, in m
+      double normal_force     = 0.; ///< F_N in N
+      double tangential_force = 0.; ///< F_T in N
+
+      // at the start of the load step
+      bool   was_active        = true;
+      double tangential_before = 0.; ///< F_T^n in N
+    };
+
+    struct Node
+    {
+      Point<dim>                               position;
+      std::array<types::global_dof_index, dim> dofs;
+      bool                                     is_owned = false;
+      Tensor<1, dim>                           weight; ///< in N
+      std::vector<Support>                     supports;
+      NodeEquations                            equations;
+    };
+
+    void
+    collect_nodes(const FilledGrid<dim>     &grid,
+                  const Formulation     formulation,
+                  const WallParameters &parameters);
+    /// Let a node that rests on two walls start on one of them.
+    void
+    open_upper_support(Node &node) const;
+
+    void
+    evaluate_node(Node                 &node,
+                  const Tensor<1, dim> &force,
+                  const Tensor<1, dim> &displacement,
+                  const Tensor<1, dim> &increment) const;
+    /// One support in contact: the node can slide along it.
+    void
+    evaluate_sliding(NodeEquations        &equations,
+                     Support              &support,
+                     const Tensor<1, dim> &force,
+                     const Tensor<1, dim> &increment) const;
+    /// Two supports in contact: the node can't move.
+    void
+    evaluate_held(NodeEquations        &equations,
+                  Support              &first,
+                  Support              &second,
+                  const Tensor<1, dim> &force,
+                  const Tensor<1, dim> &displacement) const;
+
+    const MPI_Comm            communicator;
+    const double              friction_coefficient;
+    const double              tangential_penalty;
+    const double              constraint_scale;
+    std::vector<Node>         nodes;
+    std::vector<unsigned int> node_at_vertex;
+  };
+
+
+
+  template <int dim>
+  template <typename Function>
+  void
+  WallContact<dim>::add_stiffness(const Function &add) const
+  {
+    for (const Node &node : nodes)
+      if (node.is_owned)
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            add(node.dofs[i], node.dofs[j], node.equations.stiffness[i][j]);
+  }
+} // namespace Sandglass
+
+#endif

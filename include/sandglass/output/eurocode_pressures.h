@@ -1,0 +1,99 @@
+#ifndef sandglass_output_eurocode_pressures_h
+#define sandglass_output_eurocode_pressures_h
+
+#include <sandglass/continuum/formulation.h>
+#include <sandglass/output/janssen.h>
+
+#include <limits>
+
+namespace Sandglass
+{
+  /// On a wall, in Pa; NaN where a formula says nothing.
+  struct WallPressure
+  {
+    double normal     = std::numeric_limits<double>::quiet_NaN();
+    double tangential = std::numeric_limits<double>::quiet_NaN();
+  };
+
+  /**
+   * The symmetrical filling and discharge pressures of EN 1991-4:2006 on
+   * vertical walls (Sections 5.2 and 5.3) of slender (h_c / d_c >= 2) and
+   * intermediately slender (1 < h_c / d_c < 2) silos, and on their steep
+   * hoppers (Section 6.3). Squat silos, shallow hoppers, flat bottoms and patch
+   * loads are left out.
+   *
+   * The factors are those of action assessment classes 2 and 3; K, mu and phi
+   * are what the caller gives, not upper or lower characteristic values. The
+   * surface is level: the pile's height h_o and slope phi_r in Section 5.3 are
+   * zero.
+   */
+  class EurocodePressures
+  {
+  public:
+    struct Silo
+    {
+      Formulation formulation;
+      double      width;       ///< d_c between the vertical walls, in m
+      double      wall_height; ///< h_c from their foot to the surface, in m
+      /// Between the middles of outlet and silo, in m.
+      double outlet_eccentricity;
+      /// tan(beta) between hopper and vertical; NaN without a hopper, or with
+      /// one that is not the same on both sides.
+      double hopper_slope;
+      double internal_friction_angle; ///< phi, in degrees
+    };
+
+    EurocodePressures(const Silo &silo, const Janssen &janssen);
+
+    enum class Load
+    {
+      filling,
+      discharge
+    };
+
+    /**
+     * On the vertical wall: Janssen's p_h (Section 5.2.1.1) or p_ho Y_R
+     * (Section 5.3.1.1) on filling; times C_h and C_w (Sections 5.2.2.1 and
+     * 5.3.2.1) on discharge, if the outlet is no farther from the middle than
+     * 0.25 d_c.
+     *
+     * @param depth  below the surface, in m.
+     */
+    WallPressure
+    on_wall(const Load load, const double depth) const;
+
+    /**
+     * On the hopper (Sections 6.1.2, 6.3.2 and 6.3.3), with full wall friction
+     * and the bottom load magnifier C_b = 1.
+     *
+     * @param depth  below the surface, in m.
+     */
+    WallPressure
+    on_hopper(const Load load, const double depth) const;
+
+  private:
+    bool
+    is_slender() const;
+    bool
+    is_intermediate() const;
+    bool
+    has_steep_hopper() const;
+
+    /// z / z_o, the depth over Janssen's characteristic depth.
+    double
+    relative_depth(const double depth) const;
+
+    /// Mean vertical pressure p_vf in the vertical section, in Pa.
+    double
+    vertical_pressure(const double depth) const;
+
+    /// Ratio F of the pressures across and along the hopper's axis.
+    double
+    hopper_ratio(const Load load) const;
+
+    const Silo    silo;
+    const Janssen janssen;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,94 @@
+#ifndef sandglass_output_flow_rate_h
+#define sandglass_output_flow_rate_h
+
+#include <sandglass/output/flow_summary.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace Sandglass
+{
+  /// The discharged mass over time, and mass flow rates from it.
+  class FlowRate
+  {
+  public:
+    /// @param window  time in s over which the current rate is averaged.
+    explicit FlowRate(const double window);
+
+    /// @param time  in s, later than the last one; mass in kg.
+    void
+    add(const double time, const double discharged_mass);
+
+    /**
+     * The mass discharged since the latest sample that is at least one window
+     * old (or the first sample), over the time since; in kg/s. Zero with fewer
+     * than two samples.
+     */
+    double
+    current() const;
+
+    /**
+     * The mean rate while the middle half of all the discharged mass flowed,
+     * in kg/s; NaN if none did.
+     */
+    double
+    plateau() const;
+
+    /// A time, in s, of a share of all the discharged mass, between samples
+    /// linearly; NaN if none was discharged.
+    double
+    time_of_share(const double share) const;
+
+    /**
+     * The longest stretch of time in which no flow rate (as of current()) is
+     * more than 10 % away from the middle between the largest and the smallest
+     * of them, from the begin of the first rate's window to the time of the
+     * last rate; of two equally long ones the earlier.
+     */
+    SteadyFlow
+    steady() const;
+
+    /**
+     * When 99.9 % of all that has been discharged so far had been, in s; NaN
+     * while that is less than a window ago, since then material still flows.
+     */
+    double
+    discharge_time() const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &samples;
+    }
+
+  private:
+    /// The sample from which the rate at another one is counted.
+    std::size_t
+    window_start(const std::size_t sample) const;
+
+    double
+    rate(const std::size_t start, const std::size_t end) const;
+
+    struct Sample
+    {
+      double time, mass;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &time &mass;
+      }
+    };
+
+    /// When the mass had been discharged, in s, between samples linearly.
+    double
+    time_of(const double mass) const;
+
+    const double        window;
+    std::vector<Sample> samples;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,82 @@
+#ifndef sandglass_output_history_h
+#define sandglass_output_history_h
+
+#include <sandglass/output/csv_file.h>
+#include <sandglass/output/flow_pattern.h>
+#include <sandglass/output/flow_rate.h>
+#include <sandglass/output/flow_summary.h>
+#include <sandglass/output/output_parameters.h>
+#include <sandglass/output/particle_totals.h>
+#include <sandglass/output/silo_measures.h>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace Sandglass
+{
+  /// Writes history.csv and, if material can leave, flow_rate.csv.
+  class History
+  {
+  public:
+    History(const OutputParameters   &parameters,
+            const Scene              &scene,
+            const MaterialParameters &material);
+
+    /// Open the files, after deserialization those of the earlier run.
+    void
+    open();
+
+    /**
+     * Add a row to each file.
+     *
+     * @param critical_time_step  in s.
+     */
+    void
+    observe(const Clock          &clock,
+            const double          critical_time_step,
+            const ParticleTotals &totals,
+            const FlowPattern    &pattern);
+
+    /// How far stagnant material has moved at most, in m; 0 if nobody asks.
+    double
+    stagnant_displacement() const
+    {
+      return largest_stagnant_displacement;
+    }
+
+    /// Of the discharge so far; on rank 0.
+    FlowSummary
+    flow_summary() const;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &history_file &flow_rate_file &flow_rate &slipping_samples
+        &stagnant_mass;
+    }
+
+  private:
+    const bool         is_writer;
+    const SiloMeasures measures;
+    const double       largest_stagnant_displacement;
+
+    /// For grains of 0, 0.1 and 0.2 outlet widths, in kg/s.
+    std::array<double, 3> beverloo;
+
+    CsvFile  history_file;
+    CsvFile  flow_rate_file;
+    FlowRate flow_rate;
+
+    /// A row's time in s, and its slipping share of the walls.
+    std::vector<std::pair<double, double>> slipping_samples;
+    /// The latest, in kg.
+    double stagnant_mass = 0.;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,34 @@
+#ifndef sandglass_output_json_object_h
+#define sandglass_output_json_object_h
+
+#include <string>
+
+namespace Sandglass
+{
+  /// Collects names and values in the text of a JSON object.
+  class JsonObject
+  {
+  public:
+    void
+    add(const std::string &name, const std::string &value);
+    void
+    add(const std::string &name, const unsigned long value);
+    /// What isn't a finite number becomes null.
+    void
+    add(const std::string &name, const double value);
+
+    std::string
+    text() const
+    {
+      return "{" + entries + "\n}\n";
+    }
+
+  private:
+    void
+    add_entry(const std::string &name, const std::string &value);
+
+    std::string entries;
+  };
+} // namespace Sandglass
+
+#endif

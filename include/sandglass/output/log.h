@@ -1,0 +1,54 @@
+#ifndef sandglass_output_log_h
+#define sandglass_output_log_h
+
+#include <deal.II/base/conditional_ostream.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+namespace Sandglass
+{
+  /**
+   * What the program tells its user: on the screen, unless it is to be quiet,
+   * and in a file. Only rank 0 writes.
+   */
+  class Log
+  {
+  public:
+    Log(const MPI_Comm communicator, const bool is_quiet);
+    ~Log();
+
+    /// For all text.
+    dealii::ConditionalOStream &
+    stream()
+    {
+      return output;
+    }
+
+    /// From now on, and with what was written so far, keep a copy in a file.
+    void
+    open_file(const std::string &filename, const bool appends);
+
+    /**
+     * A line about the progress: on a terminal it takes the place of the last
+     * one, otherwise it is a line like others.
+     */
+    void
+    show_progress(const std::string &line);
+
+    /// A line for the file only: the screen gets it on its error stream.
+    void
+    record_error(const std::string &line);
+
+  private:
+    /// Writes to the screen and to the file, or to memory before it is open.
+    class Splitter;
+
+    std::unique_ptr<Splitter>  splitter;
+    std::ostream               split_stream;
+    dealii::ConditionalOStream output;
+  };
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef sandglass_output_silo_measures_h
+#define sandglass_output_silo_measures_h
+
+#include <sandglass/scene/scene.h>
+
+namespace Sandglass
+{
+  /// Lengths of the whole silo that formulas for silos ask for, in m.
+  struct SiloMeasures
+  {
+    /// Taken from the edges of the scene's mesh.
+    explicit SiloMeasures(const Scene &scene);
+
+    /// Whether material can leave.
+    bool has_open_outlet;
+
+    /// Width or diameter; 0 without an outlet.
+    double outlet_width;
+
+    /// Between the vertical walls: width or diameter; 0 without such walls.
+    double wall_width;
+
+    /// Lowest point of the vertical walls, in m.
+    double wall_foot;
+
+    /// Middle of the outlet, or of the silo without one, at its bottom; with an
+    /// axis, a point of it.
+    Point<dim> bottom_centre;
+
+    /// Between the middles of outlet and vertical walls; 0 without either.
+    double outlet_eccentricity;
+
+    /// Tangent of the angle between hopper and vertical; NaN unless the hopper
+    /// has this angle all over and begins at the foot of the vertical walls.
+    double hopper_slope;
+  };
+} // namespace Sandglass
+
+#endif

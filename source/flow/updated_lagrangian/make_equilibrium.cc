@@ -1,0 +1,34 @@
+#include <sandglass/choices.h>
+#include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+
+namespace Sandglass
+{
+  template <int dim>
+  std::unique_ptr<Equilibrium<dim>>
+  make_equilibrium(const FilledGrid<dim>    &grid,
+                   const Formulation         formulation,
+                   const MaterialParameters &material,
+                   const Tensor<1, dim>     &gravity)
+  {
+    std::unique_ptr<Equilibrium<dim>> equilibrium;
+    choose_kinematics<dim>(formulation, [&](const auto kinematics) {
+      choose_law(material.model, [&](const auto law) {
+        using Kinematics = typename decltype(kinematics)::Type;
+        using Law        = typename decltype(law)::Type;
+        equilibrium =
+          std::make_unique<MaterialEquilibrium<Kinematics, Law>>(
+            grid, Law(material), material.density, gravity);
+      });
+    });
+    return equilibrium;
+  }
+
+
+
+#define INSTANTIATE(dim)                    \
+  template std::unique_ptr<Equilibrium<dim>> \
+  make_equilibrium<dim>(const FilledGrid<dim> &, const Formulation, const MaterialParameters &, const Tensor<1, dim> &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
+} // namespace Sandglass

@@ -1,0 +1,247 @@
+#include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/newton_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace Sandglass
+{
+  namespace
+  {
+    /// Contact is updated when the forces are this close to balance: before,
+    /// the reactions' signs say little.
+    constexpr double residual_for_contact = 1e-6;
+
+    /// A step may raise the residual by this share. Falling separated material
+    /// doesn't change it until it meets something.
+    constexpr double tolerated_rise = 1e-3;
+
+
+
+    /**
+     * How much elastic stiffness Newton's tangent gets: none as long as the
+     * exact tangent serves, more after each failure, less after success. Less
+     * step by step: where the exact tangent has failed, it soon fails again.
+     */
+    class ElasticShare
+    {
+    public:
+      double
+      value() const
+      {
+        return share;
+      }
+
+      /// @param factor  that the line search found; 0 is a failure.
+      void
+      adapt(const double factor)
+      {
+        if (factor == 0.)
+          share = share == 0. ? first : std::min(1., share * 4.);
+        else if (factor < 0.5)
+          share = std::max(share, first);
+        else
+          share = share <= smallest ? 0. : share / 2.;
+      }
+
+    private:
+      static constexpr double first    = 1e-2;
+      static constexpr double smallest = 1e-3;
+      double                  share    = 0.;
+    };
+
+
+
+    /// How well a step has to solve the linear equations. Convergence stays
+    /// faster than linear, and no more is solved for than a step can gain, or
+    /// than the state at rest needs.
+    double
+    linear_tolerance(const double residual_norm, const double residual_at_rest)
+    {
+      return std::min(0.1,
+                      std::max(std::sqrt(residual_norm),
+                               0.3 * residual_at_rest / residual_norm));
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<TangentPreconditioner<dim>>
+    make_preconditioner(const FilledGrid<dim> &grid, const TangentMatrix<dim> &tangent)
+    {
+      if (tangent.storage == TangentStorage::columns)
+        return std::make_unique<TangentFactors<dim>>(tangent);
+      return std::make_unique<TangentMultigrid<dim>>(grid, tangent);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  NewtonSolver<dim>::NewtonSolver(const FilledGrid<dim>            &grid,
+                             Equilibrium<dim>                 &equilibrium,
+                             WallContact<dim>                 &contact,
+                             const StaticStageParameters &parameters)
+    : grid(grid)
+    , equilibrium(equilibrium)
+    , contact(contact)
+    , parameters(parameters)
+    , tangent(grid,
+              grid.dof_handler.n_dofs() <= parameters.most_direct_unknowns ?
+                TangentStorage::columns :
+                TangentStorage::rows)
+    , tangent_solver(tangent, make_preconditioner(grid, tangent))
+    , forces(grid.make_vector())
+    , residual(grid.make_vector())
+    , step(grid.make_vector())
+    , trial(grid.make_vector())
+    , displacement(grid.make_vector())
+  {}
+
+
+
+  template <int dim>
+  double
+  NewtonSolver<dim>::evaluate(const Vector &increment)
+  {
+    displacement.zero_out_ghost_values();
+    displacement.equ(1., *displacement_before);
+    displacement.add(1., increment);
+    displacement.update_ghost_values();
+
+    equilibrium.evaluate_forces(increment, load_share, forces);
+    contact.evaluate(forces, displacement, increment);
+    residual.zero_out_ghost_values();
+    residual.equ(1., forces);
+    contact.replace_residual(residual);
+    return residual.l2_norm() / equilibrium.weight().l2_norm();
+  }
+
+
+
+  template <int dim>
+  void
+  NewtonSolver<dim>::move(const Vector &increment,
+                     const double  factor,
+                     Vector       &result) const
+  {
+    result.zero_out_ghost_values();
+    result.equ(1., increment);
+    result.add(-factor, step);
+    result.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  bool
+  NewtonSolver<dim>::find_step(const double elastic_share,
+                          const double residual_norm)
+  {
+    equilibrium.assemble_tangent(contact, elastic_share, tangent);
+    return tangent_solver.solve(residual,
+                                linear_tolerance(residual_norm,
+                                                 parameters.relative_residual),
+                                step);
+  }
+
+
+
+  template <int dim>
+  double
+  NewtonSolver<dim>::follow_step(Vector &increment, const double factor)
+  {
+    move(increment, factor, trial);
+    increment.swap(trial);
+    return evaluate(increment);
+  }
+
+
+
+  template <int dim>
+  double
+  NewtonSolver<dim>::search_line(Vector &increment, double &residual_norm)
+  {
+    double best_factor = 0., last_factor = 0.;
+    double best_norm = (1. + tolerated_rise) * residual_norm;
+    for (double factor = 1.; factor >= 1. / 32.; factor /= 2.)
+      {
+        move(increment, factor, trial);
+        const double norm = evaluate(trial);
+        last_factor       = factor;
+        if (norm < best_norm)
+          {
+            best_norm   = norm;
+            best_factor = factor;
+          }
+        else if (best_factor > 0.)
+          break;
+        if (norm < (1. - 0.5 * factor) * residual_norm)
+          break;
+      }
+    if (best_factor == last_factor)
+      {
+        increment.swap(trial);
+        residual_norm = best_norm;
+      }
+    else
+      residual_norm = follow_step(increment, best_factor);
+    return best_factor;
+  }
+
+
+
+  template <int dim>
+  NewtonResult
+  NewtonSolver<dim>::solve(const Vector &displacement_before,
+                      const double  load_share,
+                      Vector       &increment)
+  {
+    this->displacement_before = &displacement_before;
+    this->load_share          = load_share;
+
+    const unsigned int n_before = tangent_solver.n_iterations();
+    Result             result   = iterate(increment);
+    result.n_linear_iterations  = tangent_solver.n_iterations() - n_before;
+    return result;
+  }
+
+
+
+  template <int dim>
+  NewtonResult
+  NewtonSolver<dim>::iterate(Vector &increment)
+  {
+    ElasticShare elastic_share;
+    double       norm = evaluate(increment);
+    for (unsigned int i = 0;; ++i)
+      {
+        if (norm < residual_for_contact)
+          {
+            if (contact.update_contact(load_share) > 0)
+              norm = evaluate(increment);
+            else if (norm < parameters.relative_residual)
+              return {true, i, 0, norm};
+          }
+
+        if (i == parameters.maximum_iterations || !std::isfinite(norm) ||
+            !find_step(elastic_share.value(), norm))
+          return {false, i, 0, norm};
+
+        const double factor = search_line(increment, norm);
+        // The elastic step is the last resort: follow it even uphill.
+        if (factor == 0. && elastic_share.value() == 1.)
+          norm = follow_step(increment, 0.5);
+        else
+          elastic_share.adapt(factor);
+      }
+  }
+
+
+
+#define INSTANTIATE(dim) \
+  template class NewtonSolver<dim>;
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
+} // namespace Sandglass

@@ -1,0 +1,159 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/base/exceptions.h>
+#include <sandglass/output/log.h>
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iostream>
+#include <streambuf>
+
+namespace Sandglass
+{
+  class Log::Splitter : public std::streambuf
+  {
+  public:
+    Splitter(const bool writes_screen, const bool has_terminal)
+      : writes_screen(writes_screen)
+      , has_terminal(has_terminal)
+    {}
+
+    void
+    open_file(const std::string &filename, const bool appends)
+    {
+      file.open(filename, appends ? std::ios::app : std::ios::trunc);
+      file << text_before_file << std::flush;
+      if (!file)
+        throw RunError("The log '" + filename + "' can't be written.");
+      text_before_file.clear();
+    }
+
+    void
+    show_progress(const std::string &line)
+    {
+      if (!has_terminal)
+        {
+          const std::string text = line + '\n';
+          xsputn(text.data(), text.size());
+          sync();
+          return;
+        }
+      write_file(line.data(), line.size());
+      write_file("\n", 1);
+      if (writes_screen)
+        // Back to the line's start, and clear it.
+        std::cout << "\r\033[K" << line << std::flush;
+      has_open_line = writes_screen;
+    }
+
+    void
+    record_error(const std::string &line)
+    {
+      end_open_line();
+      const std::string text = line + '\n';
+      write_file(text.data(), text.size());
+      sync();
+    }
+
+  protected:
+    int_type
+    overflow(const int_type character) override
+    {
+      const char text = traits_type::to_char_type(character);
+      xsputn(&text, 1);
+      return character;
+    }
+
+    std::streamsize
+    xsputn(const char *text, const std::streamsize size) override
+    {
+      if (writes_screen)
+        {
+          end_open_line();
+          std::cout.write(text, size);
+        }
+      write_file(text, size);
+      return size;
+    }
+
+    int
+    sync() override
+    {
+      if (writes_screen)
+        std::cout.flush();
+      if (file.is_open())
+        file.flush();
+      return 0;
+    }
+
+  private:
+    void
+    end_open_line()
+    {
+      if (has_open_line)
+        std::cout << '\n';
+      has_open_line = false;
+    }
+
+    void
+    write_file(const char *text, const std::streamsize size)
+    {
+      if (file.is_open())
+        file.write(text, size);
+      else
+        text_before_file.append(text, size);
+    }
+
+    const bool    writes_screen;
+    const bool    has_terminal;
+    bool          has_open_line = false;
+    std::string   text_before_file;
+    std::ofstream file;
+  };
+
+
+
+  Log::Log(const MPI_Comm communicator, const bool is_quiet)
+    // mpirun connects each rank to a terminal of its own, whatever its own
+    // output goes to.
+    : splitter(std::make_unique<Splitter>(
+        !is_quiet,
+        isatty(STDOUT_FILENO) != 0 &&
+          dealii::Utilities::MPI::n_mpi_processes(communicator) == 1))
+    , split_stream(splitter.get())
+    , output(split_stream,
+             dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+  {}
+
+
+
+  Log::~Log() = default;
+
+
+
+  void
+  Log::open_file(const std::string &filename, const bool appends)
+  {
+    if (output.is_active())
+      splitter->open_file(filename, appends);
+  }
+
+
+
+  void
+  Log::show_progress(const std::string &line)
+  {
+    if (output.is_active())
+      splitter->show_progress(line);
+  }
+
+
+
+  void
+  Log::record_error(const std::string &line)
+  {
+    if (output.is_active())
+      splitter->record_error(line);
+  }
+} // namespace Sandglass

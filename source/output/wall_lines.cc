@@ -1,0 +1,127 @@
+#include <sandglass/output/wall_lines.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Sandglass
+{
+  namespace
+  {
+    constexpr double rounding = 1e-9;
+
+    WallLines::Side
+    side_of(const Mesh                      &mesh,
+            const std::vector<unsigned int> &vertices,
+            const double                     middle)
+    {
+      double left_extent = 0., right_extent = 0.;
+      for (const unsigned int vertex : vertices)
+        {
+          const double x = mesh.vertices[vertex][0];
+          left_extent    = std::max(left_extent, middle - x);
+          right_extent   = std::max(right_extent, x - middle);
+        }
+      return left_extent <= rounding * right_extent ? WallLines::Side::right :
+             right_extent <= rounding * left_extent ? WallLines::Side::left :
+                                                      WallLines::Side::middle;
+    }
+  } // namespace
+
+
+
+  WallLines::WallLines(const Mesh &mesh, const Point<dim> &bottom_centre)
+  {
+    for (const BoundaryRole role : {BoundaryRole::wall,
+                                    BoundaryRole::floor,
+                                    BoundaryRole::hopper,
+                                    BoundaryRole::outlet})
+      add_lines(mesh, role, bottom_centre);
+  }
+
+
+
+  const WallLines::Place &
+  WallLines::find(const BoundaryRole role, const Point<dim> &vertex) const
+  {
+    return places.at(key(role, vertex));
+  }
+
+
+
+  void
+  WallLines::add_lines(const Mesh        &mesh,
+                       const BoundaryRole role,
+                       const Point<dim>  &bottom_centre)
+  {
+    Neighbors neighbors;
+    for (const auto &edge : mesh.faces)
+      if (edge.role == role)
+        for (const unsigned int v : {0u, 1u})
+          neighbors[edge.vertices[v]].push_back(edge.vertices[1 - v]);
+
+    // Ends come before vertices in the middle of a line, then the nearest.
+    const auto comes_before = [&](const auto &a, const auto &b) {
+      const bool a_is_end = a.second.size() == 1;
+      const bool b_is_end = b.second.size() == 1;
+      if (a_is_end != b_is_end)
+        return a_is_end;
+      const Point<dim> &point_a    = mesh.vertices[a.first];
+      const Point<dim> &point_b    = mesh.vertices[b.first];
+      const double      distance_a = point_a.distance(bottom_centre);
+      const double      distance_b = point_b.distance(bottom_centre);
+      // Mirror images are equally near up to rounding.
+      if (std::abs(distance_a - distance_b) <= rounding * distance_a)
+        return point_a[0] < point_b[0];
+      return distance_a < distance_b;
+    };
+    for (unsigned int line = 0; !neighbors.empty(); ++line)
+      {
+        const auto start =
+          std::min_element(neighbors.begin(), neighbors.end(), comes_before);
+        const auto vertices = follow_line(start->first, neighbors);
+        const Side side     = side_of(mesh, vertices, bottom_centre[0]);
+
+        double arc_length = 0.;
+        for (unsigned int i = 0; i < vertices.size(); ++i)
+          {
+            const Point<dim> &vertex = mesh.vertices[vertices[i]];
+            if (i > 0)
+              arc_length += vertex.distance(mesh.vertices[vertices[i - 1]]);
+            places[key(role, vertex)] = {line, arc_length, side};
+          }
+      }
+  }
+
+
+
+  std::vector<unsigned int>
+  WallLines::follow_line(unsigned int vertex, Neighbors &neighbors)
+  {
+    std::vector<unsigned int> vertices;
+    while (true)
+      {
+        vertices.push_back(vertex);
+        const auto candidates = neighbors.at(vertex);
+        neighbors.erase(vertex);
+        const auto next =
+          std::find_if(candidates.begin(),
+                       candidates.end(),
+                       [&neighbors](const unsigned int candidate) {
+                         return neighbors.count(candidate) > 0;
+                       });
+        if (next == candidates.end())
+          return vertices;
+        vertex = *next;
+      }
+  }
+
+
+
+  std::string_view
+  name_of(const WallLines::Side side)
+  {
+    return side == WallLines::Side::left  ? "left" :
+           side == WallLines::Side::right ? "right" :
+                                            "middle";
+  }
+} // namespace Sandglass
