@@ -2,6 +2,7 @@
 #define sandglass_flow_particle_in_cell_cell_integration_h
 
 #include <sandglass/flow/particle_in_cell/cell_sums.h>
+#include <sandglass/flow/particle_in_cell/setting.h>
 #include <sandglass/particles/cell_geometry.h>
 #include <sandglass/particles/cell_moments.h>
 

@@ -3,6 +3,7 @@
 
 #include <sandglass/base/instruction_sets.h>
 #include <sandglass/flow/particle_in_cell/cell_kernel.h>
+#include <sandglass/flow/particle_in_cell/setting.h>
 #include <sandglass/particles/particle_state.h>
 
 namespace Sandglass

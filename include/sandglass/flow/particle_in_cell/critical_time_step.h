@@ -57,7 +57,7 @@ namespace Sandglass
       , force(*scene.nodes)
       , mapped(*scene.nodes)
     {
-      fill_with_random_numbers(random_direction, scene);
+      fill_with_random_numbers<dim>(random_direction, scene);
     }
 
     /// Take the stiffness from the particles' positions and states.

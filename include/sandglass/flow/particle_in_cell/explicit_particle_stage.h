@@ -8,6 +8,7 @@
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
 #include <sandglass/flow/particle_in_cell/stage_totals.h>
+#include <sandglass/material/material_parameters.h>
 #include <sandglass/particles/seeding.h>
 
 namespace Sandglass
@@ -43,7 +44,6 @@ namespace Sandglass
                    parameters.force_integration == ForceIntegration::cell ?
                      initial_configuration.points :
                      std::vector<Point<dim>>())
-      , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , volumetric_average(
           *scene.nodes,
           geometry,
@@ -51,7 +51,6 @@ namespace Sandglass
             material.density :
             0.,
           parameters.volumetric_strain == VolumetricStrain::averaged)
-      , critical(stress_update.law, geometry, scene)
       , relocation(scene, geometry, walls, parameters, removed)
       , splitting(geometry,
                   initial_configuration,
@@ -59,6 +58,8 @@ namespace Sandglass
                   material.density,
                   volumetric_average.smallest_density,
                   parameters.split_particles)
+      , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
+      , critical(stress_update.law, geometry, scene)
     {
       seed_particles();
       sum_over_particles();
