@@ -14,15 +14,15 @@
  *
  * @return the static stage's result.
  */
-inline Sandglass::StaticState
+inline Sandglass::StaticState<2>
 start_from_rest(const StageFixture &fixture)
 {
   Sandglass::StaticStageParameters parameters;
   std::ostringstream               log_text;
   dealii::ConditionalOStream       log(log_text);
-  Sandglass::StaticStage           static_stage(
+  Sandglass::StaticStage<2>           static_stage(
     *fixture.scene, fixture.material, fixture.walls, parameters, log);
-  const Sandglass::StaticState state = static_stage.run();
+  const Sandglass::StaticState<2> state = static_stage.run();
   Sandglass::carry_to_particles(state,
                                 *fixture.stage,
                                 parameters.displaces_particles);

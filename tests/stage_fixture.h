@@ -1,6 +1,8 @@
 #ifndef sandglass_tests_stage_fixture_h
 #define sandglass_tests_stage_fixture_h
 
+#include <sandglass/choices.h>
+#include <sandglass/flow/make_flow.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include <cmath>
@@ -20,6 +22,34 @@ name_of(const Sandglass::ForceIntegration integration)
 
 
 
+/// What a particle carries with a law without state variables.
+using StageLayout = Sandglass::ParticleLayout<2, 4, 0>;
+
+/// Of this rank since the start, in J.
+inline double
+plastic_work(const Sandglass::ParticleStage<StageLayout> &stage)
+{
+  return stage.view().totals().dissipated_energy -
+         stage.wall_contact().friction_dissipation();
+}
+
+/// Mean over some time of a wall's force on the material at one node.
+struct MeanWallForce
+{
+  dealii::Point<2>     position;
+  Sandglass::WallId    wall;
+  dealii::Tensor<1, 2> normal; ///< outward from the material
+  double               tributary_area;
+  dealii::Tensor<1, 2> force; ///< in N
+
+  /// Compression positive.
+  double
+  normal_force() const
+  {
+    return -(force * normal);
+  }
+};
+
 /**
  * A particle stage on a hand-made mesh, with all parameters at hand before
  * start() makes the stage.
@@ -29,6 +59,8 @@ name_of(const Sandglass::ForceIntegration integration)
  */
 struct StageFixture
 {
+  using Stage = Sandglass::ParticleStage<StageLayout>;
+
   struct ClearedParameters
   {
     ClearedParameters()
@@ -46,17 +78,19 @@ struct StageFixture
   unsigned int           particles_per_cell = 4;
   dealii::Tensor<1, 2>   gravity{{0., -9.81}};
 
-  std::unique_ptr<Sandglass::Scene>         scene;
-  std::unique_ptr<Sandglass::ParticleStage> stage;
+  std::unique_ptr<Sandglass::Scene<2>>         scene;
+  std::unique_ptr<Stage>               stage;
 
-  Sandglass::ParticleStage &
-  start(const Sandglass::Mesh &mesh)
+  Stage &
+  start(const Sandglass::Mesh<2> &mesh)
   {
     stage.reset();
     parameters.check();
-    scene = std::make_unique<Sandglass::Scene>(
+    scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
-    stage = Sandglass::make_particle_stage(*scene, material, walls, parameters);
+    auto flow = Sandglass::make_flow<2>(*scene, material, walls, parameters);
+    stage.reset(dynamic_cast<Stage *>(flow.release()));
+    last_records = stage->view().wall_records();
     return *stage;
   }
 
@@ -90,21 +124,62 @@ struct StageFixture
       [&](const dealii::Point<2> &position, const unsigned int node) {
         const dealii::Tensor<1, 2> value = velocity(position);
         for (unsigned int d = 0; d < 2; ++d)
-          stage->fields.mapped_velocity.at(node)[d] = value[d];
+          const_cast<double *>(
+            stage->nodal_fields().mapped_velocity.at(node))[d] = value[d];
       });
   }
 
-  /// Call `function(id, position, properties)` for each particle.
+  /// Call `function(id, position, properties)` for each particle; it may change
+  /// nothing.
   template <typename Function>
   void
   for_each_particle(const Function &function) const
   {
-    stage->cloud.edit([&](auto &handler) {
+    for (const auto &particle : stage->particles().handler())
+      function(particle.get_id(),
+               particle.get_location(),
+               particle.get_properties());
+  }
+
+  /// The same for a function that changes properties.
+  template <typename Function>
+  void
+  change_particles(const Function &function) const
+  {
+    stage->edit_particles([&](auto &handler) {
       for (auto &particle : handler)
         function(particle.get_id(),
                  particle.get_location(),
                  particle.get_properties());
     });
+  }
+
+  /// Mean forces of the walls and the axis since the last call, or the start;
+  /// zero if no time has passed.
+  std::vector<MeanWallForce>
+  take_mean_forces()
+  {
+    const Sandglass::WallRecords records = stage->view().wall_records();
+    const double                 time    = records.time - last_records.time;
+    std::vector<MeanWallForce>   forces;
+    for (unsigned int i = 0; i < records.records.size(); ++i)
+      {
+        const auto   &record = records.records[i];
+        MeanWallForce force{};
+        force.wall           = record.wall;
+        force.tributary_area = record.area;
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            force.position[d] = record.position[d];
+            force.normal[d]   = record.normal[d];
+            if (time > 0.)
+              force.force[d] =
+                (record.impulse[d] - last_records.records[i].impulse[d]) / time;
+          }
+        forces.push_back(force);
+      }
+    last_records = records;
+    return forces;
   }
 
   /// Whether all that particles carry is a number.
@@ -120,6 +195,9 @@ struct StageFixture
     });
     return result;
   }
+
+private:
+  Sandglass::WallRecords last_records;
 };
 
 #endif

@@ -38,17 +38,17 @@ struct StaticFixture
   Sandglass::Formulation formulation = Sandglass::Formulation::plane_strain;
   dealii::Tensor<1, 2>   gravity{{0., -9.81}};
 
-  std::unique_ptr<Sandglass::Scene> scene;
-  Sandglass::StaticState            state;
+  std::unique_ptr<Sandglass::Scene<2>> scene;
+  Sandglass::StaticState<2>            state;
   std::ostringstream                log_text;
 
   void
-  run(const Sandglass::Mesh &mesh, const MPI_Comm communicator = MPI_COMM_WORLD)
+  run(const Sandglass::Mesh<2> &mesh, const MPI_Comm communicator = MPI_COMM_WORLD)
   {
-    scene = std::make_unique<Sandglass::Scene>(
+    scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, formulation, 4, gravity, communicator);
     dealii::ConditionalOStream log(log_text);
-    Sandglass::StaticStage     stage(*scene, material, walls, parameters, log);
+    Sandglass::StaticStage<2>     stage(*scene, material, walls, parameters, log);
     state = stage.run();
   }
 
@@ -75,10 +75,10 @@ struct StaticFixture
   }
 
   /// Mean over the cell's quadrature points.
-  Sandglass::SymmetricTensor4
+  Sandglass::SymmetricComponents<4>
   mean_stress(const Sandglass::StaticState::CellState &cell_state) const
   {
-    Sandglass::SymmetricTensor4 sum = Sandglass::SymmetricTensor4::Zero();
+    Sandglass::SymmetricComponents<4> sum = Sandglass::SymmetricComponents<4>::Zero();
     for (unsigned int q = 0; q < n_points(); ++q)
       sum += cell_state.stress[q];
     return sum / n_points();

@@ -16,7 +16,7 @@ template <typename Setting>
 struct FlowingSilo : StageFixture
 {
   using Geometry = Sandglass::CellGeometry<Setting::cell_type>;
-  using Point    = dealii::Point<Sandglass::dim>;
+  using Point    = dealii::Point<2>;
 
   /// Of strain, force, splitting and lip, and of time steps.
   enum class Method
@@ -48,7 +48,7 @@ struct FlowingSilo : StageFixture
       }
     start(make_mesh(silo, MPI_COMM_WORLD));
     geometry = std::make_unique<Geometry>(*scene);
-    stage->set_initial_state(
+    stage->start_from(
       [this](const unsigned int cell, const Point &reference_point) {
         return state_at_rest(geometry->shape(cell).to_real(reference_point)[1]);
       });
@@ -59,21 +59,21 @@ struct FlowingSilo : StageFixture
   take_velocity(const FlowingSilo &coarse)
   {
     unsigned int cell = 0;
-    stage->cloud.edit([&](auto &handler) {
+    stage->edit_particles([&](auto &handler) {
       for (auto &particle : handler)
         {
           const auto place =
             coarse.geometry->find(particle.get_location(), cell);
           cell                = place.cell;
           const auto velocity = Sandglass::interpolate(
-            Sandglass::gather(coarse.stage->fields.mapped_velocity,
+            Sandglass::gather(coarse.stage->nodal_fields().mapped_velocity,
                               coarse.geometry->nodes(cell)),
             Geometry::Shape::shape_values(
-              Sandglass::pair_of(place.reference_point)));
+              Sandglass::components_of<2>(place.reference_point)));
           std::copy(velocity.begin(),
                     velocity.end(),
                     particle.get_properties().begin() +
-                      Sandglass::Property::velocity);
+                      StageLayout::velocity);
         }
     });
   }
@@ -88,14 +88,14 @@ struct FlowingSilo : StageFixture
   unsigned int
   n_particles() const
   {
-    return stage->cloud.n_locally_owned_particles();
+    return stage->particles().n_locally_owned_particles();
   }
 
   std::unique_ptr<Geometry> geometry;
 
 private:
   /// @param y  height in m.
-  Sandglass::ParticleStage::InitialState
+  Sandglass::InitialState<2>
   state_at_rest(const double y) const
   {
     constexpr double lateral_ratio = 0.5; // within the yield surface

@@ -71,9 +71,9 @@ namespace
   double
   measure(FlowingSilo<Setting> &silo, const unsigned int n_steps)
   {
-    const unsigned long before = silo.stage->particle_steps;
+    const unsigned long before = silo.stage->view().totals().particle_steps;
     const double        time   = measure([&]() { silo.run(n_steps); });
-    return time / (silo.stage->particle_steps - before);
+    return time / (silo.stage->view().totals().particle_steps - before);
   }
 
 
@@ -97,7 +97,7 @@ namespace
   BytesMoved
   bytes_moved(const FlowingSilo<Setting> &silo)
   {
-    const ParticleBlocks &blocks  = silo.stage->cloud.blocks();
+    const Sandglass::ParticleBlocks<StageLayout> &blocks  = silo.stage->particles().blocks();
     unsigned int          n_cells = 0, n_blocks = 0;
     for_each_filled_cell(blocks, [&](const unsigned int cell) {
       ++n_cells;
@@ -140,7 +140,7 @@ namespace
     PlainLoop<Setting>   plain(*silo.scene,
                              silo.material,
                              silo.walls,
-                             silo.stage->cloud.handler());
+                             silo.stage->particles().handler());
     const auto           run_plain = [&](const unsigned int n_steps) {
       for (unsigned int n = 0; n < n_steps; ++n)
         plain.step(silo.parameters.time_steps[0].second);
@@ -159,9 +159,9 @@ namespace
     std::vector<double> times, ratios;
     for (auto _ : state)
       {
-        const unsigned long before = silo.stage->particle_steps;
+        const unsigned long before = silo.stage->view().totals().particle_steps;
         times.push_back(measure(silo, n_steps));
-        const double n_particle_steps = silo.stage->particle_steps - before;
+        const double n_particle_steps = silo.stage->view().totals().particle_steps - before;
         const double plain_time       = measure([&]() { run_plain(n_steps); });
         ratios.push_back(plain_time / n_particle_steps / times.back());
         state.SetIterationTime(1e-9 * times.back());
@@ -256,10 +256,10 @@ namespace
 
     PartSums times(processor_time);
     stage.step_watcher         = &times;
-    const unsigned long before = stage.particle_steps;
+    const unsigned long before = stage.view().totals().particle_steps;
     for (auto _ : state)
       state.SetIterationTime(1e-9 * measure([&]() { silo->run(n_steps); }));
-    const double n_particle_steps = stage.particle_steps - before;
+    const double n_particle_steps = stage.view().totals().particle_steps - before;
 
     for (unsigned int part = 0; part < times.sums.size(); ++part)
       state.counters[std::string("ns_of_") + step_part_names[part]] =

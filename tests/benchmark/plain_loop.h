@@ -3,7 +3,7 @@
 
 #include <deal.II/particles/particle_handler.h>
 
-#include <sandglass/flow/particle_in_cell/deformation.h>
+#include <sandglass/continuum/in_plane_increment.h>
 #include <sandglass/flow/particle_in_cell/nodal_equations.h>
 #include <sandglass/flow/particle_in_cell/particle_motion.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
@@ -25,17 +25,17 @@ class PlainLoop
 {
 public:
   static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
-  using Handler    = dealii::Particles::ParticleHandler<Sandglass::dim>;
-  using Iterator   = dealii::Particles::ParticleIterator<Sandglass::dim>;
+  using Handler    = dealii::Particles::ParticleHandler<2>;
+  using Iterator   = dealii::Particles::ParticleIterator<2>;
   using Geometry   = Sandglass::CellGeometry<Setting::cell_type>;
   using Shape      = Sandglass::CellShape<Setting::cell_type>;
   using Relocation = Sandglass::Relocation<Setting::cell_type>;
-  using Property   = Sandglass::Property::Offset;
+  using Property   = StageLayout::Offset;
 
-  static constexpr unsigned int dim = Sandglass::dim;
+  static constexpr unsigned int dim = 2;
 
   /// @param particles  copied with all their properties.
-  PlainLoop(const Sandglass::Scene              &scene,
+  PlainLoop(const Sandglass::Scene<2>              &scene,
             const Sandglass::MaterialParameters &material,
             const Sandglass::WallParameters     &walls,
             const Handler                       &particles)
@@ -43,11 +43,11 @@ public:
     , contact(scene, walls)
     , handler(scene.triangulation,
               scene.mapping,
-              Sandglass::Property::n_properties)
+              StageLayout::n_properties)
     , scene(scene)
     , geometry(scene)
     , mass_matrix(*scene.nodes, geometry, 0.)
-    , stress_update(material.drucker_prager(), material.density)
+    , stress_update(DruckerPrager(material), material.density)
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       {
@@ -130,16 +130,16 @@ private:
         {
           const auto properties = particle.get_properties();
           const auto values     = Shape::shape_values(
-            Sandglass::pair_of(particle.get_reference_location()));
+            Sandglass::components_of<2>(particle.get_reference_location()));
           const auto acceleration =
             Sandglass::interpolate(accelerations, values);
           for (unsigned int d = 0; d < dim; ++d)
             {
-              double &velocity = properties[Property::velocity + d];
+              double &velocity = properties[StageLayout::velocity + d];
               velocity += time_step * acceleration[d];
               for (unsigned int i = 0; i < n_nodes; ++i)
                 momenta[i][d] +=
-                  values[i] * properties[Property::mass] * velocity;
+                  values[i] * properties[StageLayout::mass] * velocity;
             }
         }
       Sandglass::scatter(momenta, nodes, fields.mapped_velocity);
@@ -183,7 +183,7 @@ private:
     const double hoop = Setting::has_hoop_strain ?
                           time_step * velocity[0] / state.location[0] :
                           0.;
-    const Sandglass::DeformationIncrement<double> increment(gradient, hoop);
+    const Sandglass::InPlaneIncrement<double> increment(gradient, hoop);
     const Sandglass::ParticleDeformation<double>  deformation{
       stress_update.law.elasticity.stress(increment.strain),
       increment.rotation,
@@ -244,7 +244,7 @@ private:
     parcels.push_back(parcel);
   }
 
-  const Sandglass::Scene        &scene;
+  const Sandglass::Scene<2>        &scene;
   const Geometry                 geometry;
   Sandglass::MassMatrix<Setting> mass_matrix;
   const Sandglass::StressUpdate<Sandglass::DensityUpdate::separation>

@@ -17,11 +17,11 @@ namespace PlainParticle
     const auto &reference  = particle.get_reference_location();
     const auto  properties = particle.get_properties();
     return load_state<double>([&](const unsigned int quantity) {
-      return quantity < ParticleBlock::reference ?
+      return quantity < Sandglass::ParticleBlock<StageLayout>::reference ?
                location[quantity] :
-             quantity < ParticleBlock::properties ?
+             quantity < Sandglass::ParticleBlock<StageLayout>::properties ?
                reference[quantity - dim] :
-               properties[quantity - ParticleBlock::properties];
+               properties[quantity - Sandglass::ParticleBlock<StageLayout>::properties];
     });
   }
 
@@ -61,8 +61,8 @@ namespace PlainParticle
   store_moved_state(const ParticleState<double> &state, Particle &particle)
   {
     const auto properties = particle.get_properties();
-    std::copy_n(state.stress.data(), 4, properties.begin() + Property::stress);
-    properties[Property::density] = state.density;
+    std::copy_n(state.stress.data(), 4, properties.begin() + StageLayout::stress);
+    properties[StageLayout::density] = state.density;
     particle.set_location({state.location[0], state.location[1]});
     particle.set_reference_location({state.reference[0], state.reference[1]});
   }

@@ -48,7 +48,7 @@ namespace
       rectangle.is_filled = [height](const Point<2> &center) {
         return center[0] < width && center[1] < height;
       };
-      Mesh mesh = rectangle.mesh();
+      Mesh<2> mesh = rectangle.mesh();
       add_gate(mesh, height);
       fixture.start(mesh);
       start_from_rest(fixture);
@@ -61,8 +61,8 @@ namespace
       std::vector<std::pair<double, double>> masses;
       double                                 mass = 0.;
       fixture.for_each_particle([&](auto, const auto &position, auto state) {
-        masses.emplace_back(position[0], state[Property::mass]);
-        mass += state[Property::mass];
+        masses.emplace_back(position[0], state[StageLayout::mass]);
+        mass += state[StageLayout::mass];
       });
       std::sort(masses.begin(), masses.end());
       double beyond = 0.;
@@ -104,7 +104,7 @@ namespace
 
     /// Also name the column's free surface, which the static stage asks for.
     static void
-    add_gate(Mesh &mesh, const double height)
+    add_gate(Mesh<2> &mesh, const double height)
     {
       add_edges(mesh, 0, width, height, BoundaryRole::outlet);
       add_edges(mesh, 1, height, width, BoundaryRole::top);
@@ -112,7 +112,7 @@ namespace
 
     /// Name the edges on the line x_d = value up to `end` along it.
     static void
-    add_edges(Mesh              &mesh,
+    add_edges(Mesh<2>              &mesh,
               const unsigned int d,
               const double       value,
               const double       end,

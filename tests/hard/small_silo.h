@@ -30,7 +30,7 @@ struct SmallSilo
   }
 
   void
-  start(const Sandglass::Mesh &mesh)
+  start(const Sandglass::Mesh<2> &mesh)
   {
     fixture.formulation        = scene.formulation;
     fixture.particles_per_cell = scene.particles_per_cell;
@@ -48,7 +48,7 @@ struct SmallSilo
   Sandglass::ParticleTotals
   totals() const
   {
-    return {*fixture.stage, fixture.material.elasticity()};
+    return {*fixture.stage, Sandglass::DruckerPrager(fixture.material).elasticity};
   }
 
   /// @return the largest speed on the way over that of free fall through the
@@ -59,10 +59,10 @@ struct SmallSilo
     const double free_fall =
       std::sqrt(2. * 9.81 * (scene.fill_height() + scene.fall_region_depth));
     double largest = 0.;
-    while (fixture.stage->clock.time < time)
+    while (fixture.stage->view().clock().time < time)
       {
         fixture.stage->step();
-        largest = std::max(largest, fixture.stage->largest_speed() / free_fall);
+        largest = std::max(largest, fixture.stage->view().totals().largest_speed / free_fall);
       }
     return largest;
   }
@@ -87,7 +87,7 @@ struct SmallSilo
     const double speed = run_until(time);
     std::cout << "discharged " << discharged_share()
               << ", largest speed / free fall " << speed << ", steps "
-              << fixture.stage->clock.step << std::endl;
+              << fixture.stage->view().clock().step << std::endl;
     EXPECT_TRUE(fixture.is_finite());
     EXPECT_NEAR(mass_error(), 0., 1e-12);
     EXPECT_EQ(totals().mass_lost, 0.);

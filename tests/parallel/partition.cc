@@ -11,7 +11,7 @@ using namespace Sandglass;
 
 namespace
 {
-  Mesh
+  Mesh<2>
   squares()
   {
     SceneParameters silo;
@@ -32,7 +32,7 @@ namespace
               GetParam())
     {}
 
-    const Scene scene;
+    const Scene<2> scene;
   };
 } // namespace
 

@@ -43,7 +43,7 @@ namespace
     double
     strain() const
     {
-      return scale / fixture.material.elasticity().confined_modulus();
+      return scale / Sandglass::DruckerPrager(fixture.material).elasticity.confined_modulus();
     }
 
     /// Largest difference of a row's mean vertical stress from -rho g depth,
@@ -59,9 +59,9 @@ namespace
       fixture.for_each_particle([&](auto id, auto &, auto state) {
         const double y      = fixture.stage->initial_position(id)[1];
         const auto   row    = static_cast<unsigned int>(n_rows * y / height);
-        const double volume = state[Property::mass] / state[Property::density];
+        const double volume = state[StageLayout::mass] / state[StageLayout::density];
         volumes[row] += volume;
-        sums[row] += volume * state[Property::stress + Component::yy];
+        sums[row] += volume * state[StageLayout::stress + Component::yy];
       });
       double largest = 0.;
       for (unsigned int row = 0; row < n_rows; ++row)
@@ -80,7 +80,7 @@ namespace
     {
       double sum = 0.;
       fixture.for_each_particle([&](auto, auto &, auto state) {
-        sum += state[Property::mass] * state[Property::velocity + 1];
+        sum += state[StageLayout::mass] * state[StageLayout::velocity + 1];
       });
       return sum;
     }
@@ -90,7 +90,7 @@ namespace
     {
       double sum = 0.;
       fixture.for_each_particle(
-        [&](auto, auto &, auto state) { sum += 9.81 * state[Property::mass]; });
+        [&](auto, auto &, auto state) { sum += 9.81 * state[StageLayout::mass]; });
       return sum;
     }
 
@@ -118,7 +118,7 @@ TEST_P(CylinderAtRest, VerticalStressIsTheWeightAbove)
   std::cout << "largest strain                             " << strain()
             << "\nvertical stress error / (rho g H), static  " << before
             << "\nvertical stress error / (rho g H), largest " << largest
-            << "\nsteps " << fixture.stage->clock.step << std::endl;
+            << "\nsteps " << fixture.stage->view().clock().step << std::endl;
   const double ring = GetParam() == CellType::triangle ?
                         1. / (n_columns * n_columns * n_rows) :
                         0.;
@@ -134,7 +134,7 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
   while (!fixture.stage->is_finished())
     fixture.stage->step();
   double largest = 0., lateral_force = 0.;
-  for (const WallForce &force : fixture.stage->contact.take_mean_forces())
+  for (const WallForce<2> &force : fixture.take_mean_forces())
     if (force.role == BoundaryRole::wall)
       {
         EXPECT_NEAR(force.tangential_force / (scale * radius), 0., 1e-14);
@@ -168,10 +168,10 @@ TEST_P(CylinderAtRest, TheFloorCarriesTheWeight)
   while (!fixture.stage->is_finished())
     fixture.stage->step();
   double lift = 0.;
-  for (const WallForce &force : fixture.stage->contact.take_mean_forces())
+  for (const WallForce<2> &force : fixture.take_mean_forces())
     lift += -force.normal_force * force.normal[1] +
             force.tangential_force * wall_tangent(force.normal)[1];
-  const double momentum_rate = axial_momentum() / fixture.stage->clock.time;
+  const double momentum_rate = axial_momentum() / fixture.stage->view().clock().time;
   std::cout << "lift / weight - 1             " << lift / weight() - 1.
             << "\nrate of momentum / weight     " << momentum_rate / weight()
             << std::endl;

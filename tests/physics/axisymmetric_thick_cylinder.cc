@@ -72,8 +72,8 @@ namespace
     Errors
     errors()
     {
-      const FilledGrid::Vector displacement = solve();
-      FilledGrid::Vector       forces       = grid.make_vector();
+      const FilledGrid<2>::Vector displacement = solve();
+      FilledGrid<2>::Vector       forces       = grid.make_vector();
       equilibrium.evaluate_forces(displacement, 0., forces);
 
       Errors       result;
@@ -107,7 +107,7 @@ namespace
     }
 
   private:
-    static Mesh
+    static Mesh<2>
     mesh(const CellType cell_type, const unsigned int n_cells)
     {
       Rectangle rectangle;
@@ -122,10 +122,10 @@ namespace
     }
 
     /// Nodal forces of the pressure inside, in N.
-    FilledGrid::Vector
+    FilledGrid<2>::Vector
     load() const
     {
-      FilledGrid::Vector result = grid.make_vector();
+      FilledGrid<2>::Vector result = grid.make_vector();
       result.zero_out_ghost_values();
       for (const auto &cell : grid.dof_handler.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
@@ -140,18 +140,18 @@ namespace
       return result;
     }
 
-    FilledGrid::Vector
+    FilledGrid<2>::Vector
     solve()
     {
-      const FilledGrid::Vector zero   = grid.make_vector();
-      FilledGrid::Vector       forces = grid.make_vector();
+      const FilledGrid<2>::Vector zero   = grid.make_vector();
+      FilledGrid<2>::Vector       forces = grid.make_vector();
       equilibrium.evaluate_forces(zero, 0., forces);
       contact.evaluate(forces, zero, zero);
 
-      TangentMatrix stiffness(grid, TangentMatrix::Storage::rows);
+      TangentMatrix<2> stiffness(grid, TangentMatrix<2>::Storage::rows);
       equilibrium.assemble_tangent(contact, 1., stiffness);
 
-      FilledGrid::Vector             displacement = grid.make_vector();
+      FilledGrid<2>::Vector             displacement = grid.make_vector();
       SolverControl                  control;
       TrilinosWrappers::SolverDirect solver(control);
       solver.initialize(stiffness.stored_matrix());
@@ -162,12 +162,12 @@ namespace
     }
 
     StageFixture  fixture; // for the walls' parameters
-    Scene         scene;
+    Scene<2>         scene;
     const double  cell_height;
-    FilledGrid    grid;
+    FilledGrid<2>    grid;
     DruckerPrager material;
-    Equilibrium   equilibrium;
-    WallContact   contact;
+    Equilibrium<2>   equilibrium;
+    WallContact<2>   contact;
   };
 
   class ThickCylinderTest : public testing::TestWithParam<CellType>

@@ -57,7 +57,7 @@ namespace
     Errors
     errors()
     {
-      FilledGrid::Vector displacement = grid.make_vector();
+      FilledGrid<2>::Vector displacement = grid.make_vector();
       EXPECT_TRUE(
         solver.solve(grid.make_vector(), 1., displacement).has_converged);
       Errors result{};
@@ -69,7 +69,7 @@ namespace
   private:
     /// Regular meshes are kinder to stresses than those in use: each inner
     /// vertex is moved by up to a fifth of a cell in both directions.
-    static Mesh
+    static Mesh<2>
     mesh(const CellType cell_type, const unsigned int n_cells)
     {
       auto                                   engine = random_engine();
@@ -97,7 +97,7 @@ namespace
 
     /// With a quadrature that is exact enough to add nothing of its own.
     void
-    add_displacement_errors(const FilledGrid::Vector &displacement,
+    add_displacement_errors(const FilledGrid<2>::Vector &displacement,
                             Errors                   &result) const
     {
       const Quadrature<2> quadrature =
@@ -159,9 +159,9 @@ namespace
                 equilibrium.material_points()[grid.point_index(*cell, q)];
               EXPECT_EQ(static_cast<int>(material.classify(point.trial_stress)),
                         static_cast<int>(DruckerPrager::Case::elastic));
-              const SymmetricTensor4 stress =
+              const SymmetricComponents<4> stress =
                 exact.stress(fe_values.quadrature_point(q));
-              const SymmetricTensor4 difference = point.stress - stress;
+              const SymmetricComponents<4> difference = point.stress - stress;
               error += double_contraction(difference, difference) *
                        volume(fe_values, q);
               scale +=
@@ -183,12 +183,12 @@ namespace
     WallParameters               walls;
     StaticStageParameters        parameters;
     const ManufacturedSettlement exact;
-    Scene                        scene;
-    FilledGrid                   grid;
+    Scene<2>                        scene;
+    FilledGrid<2>                   grid;
     DruckerPrager                material;
-    Equilibrium                  equilibrium;
-    WallContact                  contact;
-    NewtonSolver                 solver;
+    Equilibrium<2>                  equilibrium;
+    WallContact<2>                  contact;
+    NewtonSolver<2>                 solver;
   };
 
   class ManufacturedStatic

@@ -50,7 +50,7 @@ TEST_P(SiloTest, FrictionStaysWithinCoulombsLaw)
   const double mu        = fixture.walls.friction_coefficient();
   const double scale     = fixture.weight();
   unsigned int n_sliding = 0;
-  for (const WallForce &force : fixture.state.wall_forces)
+  for (const WallForce<2> &force : fixture.state.wall_forces)
     {
       const double limit = mu * std::max(force.normal_force, 0.);
       EXPECT_LE(std::abs(force.tangential_force) / scale,
@@ -70,7 +70,7 @@ TEST_P(SiloTest, FrictionStaysWithinCoulombsLaw)
 
 TEST_P(SiloTest, StressIsAdmissible)
 {
-  const DruckerPrager law   = fixture.material.drucker_prager();
+  const DruckerPrager law   = fixture.DruckerPrager(material);
   const double        scale = 1500. * 9.81 * fixture.silo.fill_height();
   fixture.for_each_cell([&](const auto &, const auto &cell_state) {
     for (unsigned int q = 0; q < fixture.n_points(); ++q)
@@ -123,7 +123,7 @@ namespace
     Rectangle rectangle;
     rectangle.cell_type = CellType::quadrilateral;
     rectangle.is_filled = [](const Point<2> &p) { return p[1] > 0.5; };
-    Mesh mesh           = rectangle.mesh();
+    Mesh<2> mesh           = rectangle.mesh();
     for (auto &cell : mesh.cells)
       if (turns_empty_cells && !cell.is_filled)
         std::rotate(cell.vertices.begin(),
@@ -166,7 +166,7 @@ namespace
 // The stage works on a grid of its own. Empty cells that are given the other
 // way round make deal.II turn the Scene's filled cells, but not those of that
 // grid.
-TEST(StaticStage, ReturnsResultsInTheOrderOfTheScenesCells)
+TEST(StaticStage<2>, ReturnsResultsInTheOrderOfTheScenesCells)
 {
   const auto [settlement, pressures]               = results_by_place(false);
   const auto [turned_settlement, turned_pressures] = results_by_place(true);
@@ -182,7 +182,7 @@ TEST(StaticStage, ReturnsResultsInTheOrderOfTheScenesCells)
 
 // Where Newton is given too few iterations, the load step is cut, and in the
 // end the user is told where it stopped.
-TEST(StaticStage, SaysWhereItStopped)
+TEST(StaticStage<2>, SaysWhereItStopped)
 {
   StaticFixture fixture;
   fixture.silo.element_size             = 0.2;

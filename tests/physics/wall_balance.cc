@@ -15,7 +15,7 @@ using namespace Sandglass;
 namespace
 {
   Tensor<1, dim>
-  force_on_material(const WallForce &force)
+  force_on_material(const WallForce<2> &force)
   {
     return -force.normal_force * force.normal +
            force.tangential_force * wall_tangent(force.normal);
@@ -45,21 +45,21 @@ namespace
 
       start_from_rest(fixture);
       run(0.05);
-      fixture.stage->contact.take_mean_forces();
+      fixture.take_mean_forces();
     }
 
     void
     run(const double duration)
     {
-      const double end = fixture.stage->clock.time + duration;
-      while (fixture.stage->clock.time < end)
+      const double end = fixture.stage->view().clock().time + duration;
+      while (fixture.stage->view().clock().time < end)
         fixture.stage->step();
     }
 
     ParticleTotals
     totals() const
     {
-      return {*fixture.stage, fixture.material.elasticity()};
+      return {*fixture.stage, Sandglass::DruckerPrager(fixture.material).elasticity};
     }
 
     /// In N s, summed over steps.
@@ -80,21 +80,21 @@ namespace
       // The totals are those of the whole silo.
       const double factor = fixture.scene->symmetry_factor;
       Impulses     sum;
-      const double end = fixture.stage->clock.time + duration;
-      while (fixture.stage->clock.time < end)
+      const double end = fixture.stage->view().clock().time + duration;
+      while (fixture.stage->view().clock().time < end)
         {
           const ParticleTotals before = totals();
           fixture.stage->step();
           const ParticleTotals after = totals();
-          const auto forces = fixture.stage->contact.take_mean_forces();
+          const auto forces = fixture.take_mean_forces();
           ++sum.n_steps;
           if (after.mass_removed != before.mass_removed)
             {
               ++sum.n_left_out;
               continue;
             }
-          const double time_step = fixture.stage->clock.time_step;
-          for (const WallForce &force : forces)
+          const double time_step = fixture.stage->view().clock().time_step;
+          for (const WallForce<2> &force : forces)
             sum.walls += time_step * force_on_material(force);
           const double mass = before.mass() - before.mass_removed;
           sum.weight += time_step * mass / factor * 9.81;
@@ -143,11 +143,11 @@ TEST_P(WallBalance, TractionsOverTheWallsMakeUpTheForces)
                                *fixture.scene,
                                fixture.material,
                                fixture.walls);
-  const auto             forces = fixture.stage->contact.take_mean_forces();
+  const auto             forces = fixture.take_mean_forces();
 
   Tensor<1, dim> expected, found;
   double         largest = 0.;
-  for (const WallForce &force : forces)
+  for (const WallForce<2> &force : forces)
     if (is_wall(force.role))
       {
         expected += force_on_material(force);

@@ -24,7 +24,7 @@ namespace
     }
 
     void
-    start(const Mesh &mesh)
+    start(const Mesh<2> &mesh)
     {
       fixture.parameters.end_time = 2.5;
       fixture.start(mesh);
@@ -34,19 +34,19 @@ namespace
     ParticleTotals
     totals() const
     {
-      return {*fixture.stage, fixture.material.elasticity()};
+      return {*fixture.stage, Sandglass::DruckerPrager(fixture.material).elasticity};
     }
 
     void
     run_until(const double time)
     {
-      while (fixture.stage->clock.time < time * (1. - 1e-12))
+      while (fixture.stage->view().clock().time < time * (1. - 1e-12))
         fixture.stage->step();
     }
 
     StageFixture           fixture;
     SceneParameters        parameters;
-    std::vector<WallForce> forces;
+    std::vector<WallForce<2>> forces;
   };
 
 
@@ -72,7 +72,7 @@ TEST_P(WholeSilo, AtRestBothSidesCarryWhatTheHalfDoes)
 {
   Silo half;
   choose_shape(half);
-  const Mesh mesh = mesh_silo(half.parameters);
+  const Mesh<2> mesh = mesh_silo(half.parameters);
   half.start(mesh);
   Silo whole;
   whole.start(mirrored(mesh));
@@ -115,7 +115,7 @@ TEST_P(WholeSilo, TheMirroredMeshFlowsLikeTheHalf)
   Silo half;
   choose_shape(half);
   half.fixture.parameters.time_step_text = "2e-4";
-  const Mesh mesh                        = mesh_silo(half.parameters);
+  const Mesh<2> mesh                        = mesh_silo(half.parameters);
   half.start(mesh);
   half.run_until(0.2);
   Silo whole;
@@ -150,11 +150,11 @@ TEST_P(WholeSilo, TheFreeMeshFlowsLikeTheHalf)
     silo.start(mesh_silo(silo.parameters));
     silo.run_until(0.4);
     const double before = silo.totals().mass_discharged();
-    const double start  = silo.fixture.stage->clock.time;
+    const double start  = silo.fixture.stage->view().clock().time;
     silo.run_until(1.);
     EXPECT_EQ(silo.totals().mass_lost, 0.);
     return (silo.totals().mass_discharged() - before) /
-           (silo.fixture.stage->clock.time - start);
+           (silo.fixture.stage->view().clock().time - start);
   };
   const double half = rate(true), whole = rate(false);
   std::cout << "flow rate in kg/(s m): half " << half << ", whole " << whole

@@ -39,10 +39,10 @@ namespace
         fixture.formulation == Formulation::plane_strain ? 1e3 : 0.;
       auto        uniform = std::uniform_real_distribution<double>(-0.03, 0.03);
       const auto &mesh    = fixture.scene->mesh;
-      fixture.stage->set_initial_state(
+      fixture.stage->start_from(
         [&](const unsigned int cell, const auto &) {
-          ParticleStage::InitialState state{
-            {}, SymmetricTensor4(-3e3, -5e3, -3e3, shear), volume_ratio};
+          Sandglass::InitialState<2> state{
+            {}, SymmetricComponents<4>(-3e3, -5e3, -3e3, shear), volume_ratio};
           double nearest = 1.;
           for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
             nearest =
@@ -53,7 +53,7 @@ namespace
               state.displacement[d] = uniform(engine);
           return state;
         });
-      fixture.stage->critical_time_step(); // makes the nodal sums
+      fixture.stage->view().critical_time_step(true); // makes the nodal sums
     }
 
     /// Of the nodes inside, beside what a cell's edge transmits.
@@ -67,7 +67,7 @@ namespace
                 {vertex[0] - 1., 2. - vertex[0], vertex[1], 1. - vertex[1]}) <
               1e-12)
             return;
-          const double *sums = fixture.stage->fields.sums.at(node);
+          const double *sums = fixture.stage->nodal_fields().sums.at(node);
           for (unsigned int d = 0; d < 2; ++d)
             largest =
               std::max(largest, std::abs(sums[NodalSum::internal_force + d]));

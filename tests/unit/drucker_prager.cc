@@ -20,13 +20,13 @@ namespace
 
   struct Projected
   {
-    SymmetricTensor4    stress;
+    SymmetricComponents<4>    stress;
     DruckerPrager::Case found;
     double              dissipation;
   };
 
   Projected
-  project(const SymmetricTensor4 &trial)
+  project(const SymmetricComponents<4> &trial)
   {
     Projected result{trial, DruckerPrager::Case::elastic, 0.};
     result.found       = material.classify(trial);
@@ -35,8 +35,8 @@ namespace
   }
 
   void
-  expect_near(const SymmetricTensor4 &actual,
-              const SymmetricTensor4 &expected,
+  expect_near(const SymmetricComponents<4> &actual,
+              const SymmetricComponents<4> &expected,
               const double            scale)
   {
     for (int c = 0; c < 4; ++c)
@@ -59,7 +59,7 @@ TEST(DruckerPrager, KeepsAdmissibleStress)
 {
   // p = 1000, s = (-200, 200, 0, 100): s:s = 80000 + 20000, q^2 = 150000;
   // q = 387 < 1250
-  const SymmetricTensor4 trial(-1200., -800., -1000., 100.);
+  const SymmetricComponents<4> trial(-1200., -800., -1000., 100.);
   const Projected        result = project(trial);
   EXPECT_EQ(result.found, DruckerPrager::Case::elastic);
   EXPECT_EQ(result.stress, trial);
@@ -73,7 +73,7 @@ TEST(DruckerPrager, ScalesTheDeviatorBack)
   // p = 1000, s = (-1000, 1000, 0, 1000): s:s = 2e6 + 2e6, q^2 = 6e6;
   // the deviator shrinks by r = 1250 / sqrt(6e6)
   const double           r = 1250. / std::sqrt(6e6);
-  const SymmetricTensor4 trial(-2000., 0., -1000., 1000.);
+  const SymmetricComponents<4> trial(-2000., 0., -1000., 1000.);
   const Projected        result = project(trial);
   EXPECT_EQ(result.found, DruckerPrager::Case::yielding);
   expect_near(result.stress,
@@ -93,7 +93,7 @@ TEST(DruckerPrager, DropsStressOfSeparatedMaterial)
   // p = -100
   const Projected pulled = project({500., -300., 100., 40.});
   EXPECT_EQ(pulled.found, DruckerPrager::Case::separated);
-  EXPECT_EQ(pulled.stress, SymmetricTensor4(SymmetricTensor4::Zero()));
+  EXPECT_EQ(pulled.stress, SymmetricComponents<4>(SymmetricComponents<4>::Zero()));
   EXPECT_EQ(pulled.dissipation, 0.);
   // p = 0 with shear is outside of the surface as well
   EXPECT_EQ(project({0., 0., 0., 1.}).found, DruckerPrager::Case::separated);
@@ -105,7 +105,7 @@ TEST(DruckerPrager, DropsStressOfSeparatedMaterial)
 
 TEST(DruckerPrager, DerivativeAgreesWithDifferences)
 {
-  const std::vector<std::pair<SymmetricTensor4, DruckerPrager::Case>> cases = {
+  const std::vector<std::pair<SymmetricComponents<4>, DruckerPrager::Case>> cases = {
     {{-1200., -800., -1000., 100.}, DruckerPrager::Case::elastic},
     {{-2000., 0., -1000., 1000.}, DruckerPrager::Case::yielding},
     {{-300., -4000., -700., -900.}, DruckerPrager::Case::yielding},
@@ -117,7 +117,7 @@ TEST(DruckerPrager, DerivativeAgreesWithDifferences)
       Eigen::Matrix4d  differences;
       for (int c = 0; c < 4; ++c)
         {
-          const SymmetricTensor4 change = step * SymmetricTensor4::Unit(c);
+          const SymmetricComponents<4> change = step * SymmetricComponents<4>::Unit(c);
           differences.col(c) =
             (project(trial + change).stress - project(trial - change).stress) /
             (2. * step);

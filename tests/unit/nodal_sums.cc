@@ -27,9 +27,9 @@ namespace
         return Point<2>(point[0] + 0.02 * x, point[1] + 0.02 * y);
       };
       fixture.start(rectangle.mesh());
-      fixture.for_each_particle([&](auto, auto, auto state) {
-        state[Property::velocity]     = number(engine);
-        state[Property::velocity + 1] = number(engine);
+      fixture.change_particles([&](auto, auto, auto state) {
+        state[StageLayout::velocity]     = number(engine);
+        state[StageLayout::velocity + 1] = number(engine);
       });
     }
 
@@ -41,7 +41,7 @@ namespace
       for (unsigned int node = 0;
            node < fixture.scene->nodes->locally_owned_size();
            ++node)
-        sum += fixture.stage->fields.sums.at(node)[component];
+        sum += fixture.stage->nodal_fields().sums.at(node)[component];
       return sum;
     }
 
@@ -52,13 +52,13 @@ namespace
 TEST_P(NodalSumsTest, CarryMassAndMomentumExactly)
 {
   start_with_random_velocities();
-  fixture.stage->critical_time_step();
+  fixture.stage->view().critical_time_step(true);
   double mass = 0., momentum_x = 0., momentum_y = 0., scale = 0.;
   fixture.for_each_particle([&](auto, auto, auto state) {
-    mass += state[Property::mass];
-    momentum_x += state[Property::mass] * state[Property::velocity];
-    momentum_y += state[Property::mass] * state[Property::velocity + 1];
-    scale += state[Property::mass];
+    mass += state[StageLayout::mass];
+    momentum_x += state[StageLayout::mass] * state[StageLayout::velocity];
+    momentum_y += state[StageLayout::mass] * state[StageLayout::velocity + 1];
+    scale += state[StageLayout::mass];
   });
   EXPECT_NEAR(sum_over_nodes(NodalSum::mass) / mass, 1., 1e-14);
   EXPECT_NEAR(sum_over_nodes(NodalSum::momentum), momentum_x, 1e-14 * scale);
@@ -76,7 +76,7 @@ TEST_P(NodalSumsTest, ParticlesMassIsThatOfTheFilledCells)
       volume += cell->measure();
   double mass = 0.;
   fixture.for_each_particle(
-    [&](auto, auto, auto state) { mass += state[Property::mass]; });
+    [&](auto, auto, auto state) { mass += state[StageLayout::mass]; });
   EXPECT_NEAR(mass / (fixture.material.density * volume), 1., 1e-13);
 }
 
@@ -92,17 +92,17 @@ TEST_P(NodalSumsTest, UniformStressIsInEquilibriumInside)
                       point[1] + 0.05 * std::sin(7. * point[0]));
     };
   fixture.start(rectangle.mesh());
-  fixture.for_each_particle([](auto, auto, auto state) {
+  fixture.change_particles([](auto, auto, auto state) {
     const double stress[4] = {-3e3, -5e3, -2e3, 1e3};
-    std::copy_n(stress, 4, state.begin() + Property::stress);
+    std::copy_n(stress, 4, state.begin() + StageLayout::stress);
   });
-  fixture.stage->critical_time_step();
+  fixture.stage->view().critical_time_step(true);
 
   fixture.for_each_node([&](const Point<2> &vertex, const unsigned int node) {
     if (std::min({vertex[0], 1. - vertex[0], vertex[1], 1. - vertex[1]}) <
         1e-12)
       return;
-    const double *sums = fixture.stage->fields.sums.at(node);
+    const double *sums = fixture.stage->nodal_fields().sums.at(node);
     EXPECT_NEAR(sums[NodalSum::internal_force] / 5e3, 0., 1e-13);
     EXPECT_NEAR(sums[NodalSum::internal_force + 1] / 5e3, 0., 1e-13);
   });

@@ -47,11 +47,11 @@ namespace
     {
       auto         random = random_engine();
       const double range  = random.max();
-      fixture.for_each_particle([&](auto, const auto &, auto state) {
-        for (unsigned int p = 0; p < Property::n_properties; ++p)
-          if (p != Property::mass && p != Property::density)
+      fixture.change_particles([&](auto, const auto &, auto state) {
+        for (unsigned int p = 0; p < StageLayout::n_properties; ++p)
+          if (p != StageLayout::mass && p != StageLayout::density)
             state[p] = random() / range - 0.5;
-        state[Property::density] *= 1. + 0.1 * random() / range;
+        state[StageLayout::density] *= 1. + 0.1 * random() / range;
       });
       stretch(Tensor<1, 2>({1., 0.}));
     }
@@ -69,32 +69,33 @@ namespace
     void
     enlarge(const double factor)
     {
-      fixture.for_each_particle([&](auto id, const auto &, auto state) {
+      fixture.change_particles([&](auto id, const auto &, auto state) {
         if (id % 2 == 0)
-          state[Property::mass] *= factor;
+          state[StageLayout::mass] *= factor;
       });
     }
 
     /// @return how many particles there are more.
     unsigned int
-    split(const SplitParticles when = SplitParticles::always)
+    split()
     {
-      ParticleBlocks    &blocks = fixture.stage->cloud.change_blocks();
-      const unsigned int before = blocks.n_particles();
-      sums->cells.compute(blocks);
-      Splitting splitting(*geometry,
-                          *initial_configuration,
-                          fixture.scene->mesh,
-                          fixture.material.density,
-                          fixture.material.density,
-                          when);
-      if (splitting.is_on())
+      unsigned int n_more = 0;
+      fixture.stage->edit_blocks([&](auto &blocks) {
+        const unsigned int before = blocks.n_particles();
+        sums->cells.compute(blocks);
+        Splitting splitting(*geometry,
+                            *initial_configuration,
+                            fixture.material.density,
+                            fixture.material.density,
+                            true);
         splitting.split(blocks,
-                        fixture.stage->fields.mapped_velocity,
+                        fixture.stage->nodal_fields().mapped_velocity,
                         [&](const unsigned int cell) {
                           sums->cells.compute(blocks, cell);
                         });
-      return blocks.n_particles() - before;
+        n_more = blocks.n_particles() - before;
+      });
+      return n_more;
     }
 
     Totals
@@ -102,19 +103,19 @@ namespace
     {
       Totals result{};
       fixture.for_each_particle([&](auto, const auto &x, auto state) {
-        const double  m      = state[Property::mass];
-        const double *v      = &state[Property::velocity];
-        const double  volume = m / state[Property::density];
+        const double  m      = state[StageLayout::mass];
+        const double *v      = &state[StageLayout::velocity];
+        const double  volume = m / state[StageLayout::density];
         const Totals  own    = {{m,
                                  m * x[0],
                                  m * x[1],
                                  m * v[0],
                                  m * v[1],
                                  m * (x[0] * v[1] - x[1] * v[0]),
-                                 volume * state[Property::stress],
-                                 volume * state[Property::stress + 1],
-                                 volume * state[Property::stress + 2],
-                                 volume * state[Property::stress + 3]}};
+                                 volume * state[StageLayout::stress],
+                                 volume * state[StageLayout::stress + 1],
+                                 volume * state[StageLayout::stress + 2],
+                                 volume * state[StageLayout::stress + 3]}};
         for (unsigned int i = 0; i < own.size(); ++i)
           result[i] += own[i];
       });
@@ -129,10 +130,10 @@ namespace
   };
 
   using Settings =
-    testing::Types<Setting<Formulation::plane_strain, CellType::triangle>,
-                   Setting<Formulation::plane_strain, CellType::quadrilateral>,
-                   Setting<Formulation::axisymmetric, CellType::triangle>,
-                   Setting<Formulation::axisymmetric, CellType::quadrilateral>>;
+    testing::Types<Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
+                   Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
+                   Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
+                   Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
   TYPED_TEST_SUITE(ParticleSplittingTest, Settings);
 } // namespace
 
@@ -156,7 +157,7 @@ TYPED_TEST(ParticleSplittingTest, HalvesLieInTheCellAlongTheExtension)
   this->stretch(Tensor<1, 2>({0.6, 0.8}));
   this->enlarge(2.5);
   this->split();
-  const ParticleBlocks           &blocks = this->fixture.stage->cloud.blocks();
+  const Sandglass::ParticleBlocks<StageLayout>           &blocks = this->fixture.stage->particles().blocks();
   std::set<types::particle_index> ids;
   unsigned int                    n_pairs = 0;
   blocks.for_each([&](const ParticleSlot &slot) {
@@ -192,7 +193,7 @@ TYPED_TEST(ParticleSplittingTest, SumsStayThoseOfTheParticles)
 {
   this->enlarge(2.5);
   this->split();
-  const ParticleBlocks &blocks = this->fixture.stage->cloud.blocks();
+  const Sandglass::ParticleBlocks<StageLayout> &blocks = this->fixture.stage->particles().blocks();
   NodalSums<TypeParam>  anew(*this->geometry, 0., {});
   anew.cells.compute(blocks);
   for_each_filled_cell(blocks, [&](const unsigned int cell) {
@@ -213,7 +214,7 @@ TYPED_TEST(ParticleSplittingTest, MuchTooLargeParticlesEndNearTheirShare)
   unsigned int n = 0, n_large = 0;
   this->fixture.for_each_particle([&](auto id, const auto &, auto state) {
     const double share =
-      state[Property::mass] / (this->fixture.material.density *
+      state[StageLayout::mass] / (this->fixture.material.density *
                                this->initial_configuration->volume(id));
     ++n;
     n_large += share > 4.;
@@ -233,8 +234,8 @@ TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
   EXPECT_EQ(this->split(SplitParticles::where_needed), 0u)
     << "all cells have the same size";
 
-  this->fixture.for_each_particle([&](auto, const auto &, auto state) {
-    state[Property::density] = 0.99 * this->fixture.material.density;
+  this->fixture.change_particles([&](auto, const auto &, auto state) {
+    state[StageLayout::density] = 0.99 * this->fixture.material.density;
   });
   EXPECT_EQ(this->split(), 0u) << "separated particles";
 }
@@ -243,7 +244,7 @@ TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
 
 TYPED_TEST(ParticleSplittingTest, HalvesHaveIdsOfTheirOwn)
 {
-  const auto n = this->fixture.stage->cloud.blocks().n_particles();
+  const auto n = this->fixture.stage->particles().blocks().n_particles();
   std::vector<types::particle_index> last = {5};
   std::set<types::particle_index>    all  = {5};
   for (unsigned int generation = 0; generation < 10; ++generation)

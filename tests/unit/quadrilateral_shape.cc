@@ -43,7 +43,7 @@ TEST(QuadrilateralShape, finds_reference_coordinates_from_any_start)
         const Shape    shape    = square(twist);
         const Point<2> expected = draw(), start = draw();
         const auto     found =
-          shape.to_reference(pair_of(shape.to_real(expected)), pair_of(start));
+          shape.to_reference(Sandglass::components_of<2>(shape.to_real(expected)), Sandglass::components_of<2>(start));
         // Positions of the order of 1 m are rounded to some 1e-14 of the edge.
         for (unsigned int d = 0; d < 2; ++d)
           EXPECT_NEAR(found[d], expected[d], 1e-12) << "twist " << twist;

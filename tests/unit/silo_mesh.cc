@@ -35,7 +35,7 @@ namespace
     }
 
     double
-    area(const Mesh &mesh, const bool is_filled) const
+    area(const Mesh<2> &mesh, const bool is_filled) const
     {
       double area = 0.;
       for (const auto &cell : mesh.cells)
@@ -52,7 +52,7 @@ namespace
     }
 
     double
-    length(const Mesh &mesh, const BoundaryRole role) const
+    length(const Mesh<2> &mesh, const BoundaryRole role) const
     {
       double length = 0.;
       for (const auto &edge : mesh.faces)
@@ -78,7 +78,7 @@ namespace
 
 TEST_P(WholeSilo, RolesCoverTheBoundary)
 {
-  const Mesh   mesh   = mesh_silo(silo);
+  const Mesh<2>   mesh   = mesh_silo(silo);
   const double hopper = silo.hopper_height * 1.6 - // rectangle less triangles
                         silo.hopper_height * (0.8 + 0.4) / 2.;
   EXPECT_NEAR(area(mesh, true), 1.6 * 1.2 + hopper, 1e-12);
@@ -101,7 +101,7 @@ TEST_P(WholeSilo, RolesCoverTheBoundary)
 
 TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 {
-  const Scene scene(
+  const Scene<2> scene(
     mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
   EXPECT_EQ(scene.symmetry_factor, 1.);
 
@@ -141,7 +141,7 @@ TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 
 TEST_P(WholeSilo, SidesOfTheWalls)
 {
-  const Scene scene(
+  const Scene<2> scene(
     mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
   const WallLines lines(scene.mesh, SiloMeasures(scene).bottom_centre);
   const auto      expect_place = [&lines](const BoundaryRole    role,
@@ -179,7 +179,7 @@ TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
   for (const double hopper_height : {0., 0.6})
     {
       silo.hopper_height = hopper_height;
-      const Mesh mesh    = mesh_silo(silo);
+      const Mesh<2> mesh    = mesh_silo(silo);
       for (const auto &vertex : mesh.vertices)
         EXPECT_TRUE(std::any_of(
           mesh.vertices.begin(), mesh.vertices.end(), [&](const auto &other) {
@@ -194,7 +194,7 @@ namespace
 {
   /// Mean length in m of the edges between two distances from a point.
   double
-  mean_edge(const Mesh       &mesh,
+  mean_edge(const Mesh<2>       &mesh,
             const Point<dim> &point,
             const double      from,
             const double      to)
@@ -229,7 +229,7 @@ TEST(GradedSilo, CellsGrowFromTheLips)
     {
       silo.is_symmetric = is_symmetric;
       silo.check();
-      const Mesh mesh = mesh_silo(silo);
+      const Mesh<2> mesh = mesh_silo(silo);
       for (const double x : {-0.225, 0.225})
         {
           if (x < 0. && is_symmetric)
@@ -249,10 +249,10 @@ TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
   StageFixture::ClearedParameters cleared;
   SceneParameters                 silo;
   silo.element_size = 0.1;
-  const Mesh mesh   = mesh_silo(silo);
+  const Mesh<2> mesh   = mesh_silo(silo);
 
   silo.outlet_element_size = silo.element_size;
-  const Mesh same          = mesh_silo(silo);
+  const Mesh<2> same          = mesh_silo(silo);
   ASSERT_EQ(mesh.vertices.size(), same.vertices.size());
   for (unsigned int i = 0; i < mesh.vertices.size(); ++i)
     EXPECT_EQ(mesh.vertices[i], same.vertices[i]);
@@ -262,7 +262,7 @@ TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
 
 TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
 {
-  using Plane = Setting<Formulation::plane_strain, CellType::triangle>;
+  using Plane = Setting<PlaneStrain, CellType::triangle, DruckerPrager>;
   StageFixture::ClearedParameters cleared;
   SceneParameters                 silo;
   silo.element_size = 0.1;
@@ -271,7 +271,7 @@ TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
       {
         silo.outlet_element_size = size;
         silo.mesh_seed           = seed;
-        const Scene scene(
+        const Scene<2> scene(
           mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
         const CellGeometry<CellType::triangle>         geometry(scene);
         const InitialConfiguration<CellType::triangle> points(scene, geometry);

@@ -1,4 +1,4 @@
-#include <sandglass/flow/updated_lagrangian/incremental_response.h>
+#include <sandglass/continuum/in_plane_response.h>
 
 #include <gtest/gtest.h>
 
@@ -12,31 +12,31 @@ namespace
 
   // Stress before the increment in all tests of the tangent: with shear, so
   // that it turns.
-  const SymmetricTensor4 initial_stress(-5000., -9000., -6000., 700.);
+  const SymmetricComponents<4> initial_stress(-5000., -9000., -6000., 700.);
 
   /// E = 1 MPa, nu = 0.3, phi = 25 degrees, as in the paper.
   const Elasticity    elasticity(1e6, 0.3);
   const DruckerPrager material(elasticity, 25. * pi / 180.);
 
   Gradient5
-  piola_stress(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  piola_stress(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
   {
-    SymmetricTensor4 stress =
-      IncrementalResponse::trial_stress(elasticity, stress_before, H);
+    SymmetricComponents<4> stress =
+      InPlaneResponse::trial_stress(elasticity, stress_before, H);
     material.project(stress);
-    return IncrementalResponse::piola_stress(stress, H);
+    return InPlaneResponse::piola_stress(stress, H);
   }
 
 
 
   Matrix5
-  tangent(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  tangent(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
   {
-    const SymmetricTensor4 trial =
-      IncrementalResponse::trial_stress(elasticity, stress_before, H);
-    SymmetricTensor4 stress = trial;
+    const SymmetricComponents<4> trial =
+      InPlaneResponse::trial_stress(elasticity, stress_before, H);
+    SymmetricComponents<4> stress = trial;
     material.project(stress);
-    return IncrementalResponse::tangent(elasticity,
+    return InPlaneResponse::tangent(elasticity,
                                         stress_before,
                                         stress,
                                         H,
@@ -47,7 +47,7 @@ namespace
 
   /// Largest difference to central differences, over the confined modulus.
   double
-  tangent_error(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  tangent_error(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
   {
     constexpr double step = 1e-6;
     Matrix5          differences;
@@ -65,10 +65,10 @@ namespace
 
 
   DruckerPrager::Case
-  case_of(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  case_of(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
   {
     return material.classify(
-      IncrementalResponse::trial_stress(elasticity, stress_before, H));
+      InPlaneResponse::trial_stress(elasticity, stress_before, H));
   }
 
 
@@ -146,14 +146,14 @@ namespace
   {
     const double           c = std::cos(angle), s = std::sin(angle);
     const auto            &a = initial_stress;
-    const SymmetricTensor4 exact(
+    const SymmetricComponents<4> exact(
       c * c * a[0] + s * s * a[1] - 2. * c * s * a[3],
       s * s * a[0] + c * c * a[1] + 2. * c * s * a[3],
       a[2],
       c * s * (a[0] - a[1]) + (c * c - s * s) * a[3]);
     // soft, so that the error of the spin is seen beside that of the strain
     const Elasticity soft(1e4, 0.3);
-    return (IncrementalResponse::trial_stress(soft, a, rotation(angle)) - exact)
+    return (InPlaneResponse::trial_stress(soft, a, rotation(angle)) - exact)
              .norm() /
            a.norm();
   }
@@ -164,10 +164,10 @@ namespace
 TEST(IncrementalResponse, TranslationChangesNothing)
 {
   const Gradient5 H = Gradient5::Zero();
-  EXPECT_EQ(IncrementalResponse::trial_stress(elasticity, initial_stress, H),
+  EXPECT_EQ(InPlaneResponse::trial_stress(elasticity, initial_stress, H),
             initial_stress);
-  EXPECT_EQ(IncrementalResponse::volume_ratio(H), 1.);
-  const Gradient5 P = IncrementalResponse::piola_stress(initial_stress, H);
+  EXPECT_EQ(InPlaneResponse::volume_ratio(H), 1.);
+  const Gradient5 P = InPlaneResponse::piola_stress(initial_stress, H);
   EXPECT_EQ(P, gradient(-5000., 700., 700., -9000., -6000.));
 }
 
@@ -180,7 +180,7 @@ TEST(IncrementalResponse, RotationErrorIsOfSecondOrder)
   EXPECT_LT(rotation_error(1e-3), 1e-5);
   for (const double angle : {0.02, -0.02})
     EXPECT_NEAR(rotation_error(angle) / rotation_error(angle / 2.), 4., 0.05);
-  EXPECT_NEAR(IncrementalResponse::volume_ratio(rotation(0.3)), 1., 1e-15);
+  EXPECT_NEAR(InPlaneResponse::volume_ratio(rotation(0.3)), 1., 1e-15);
 }
 
 
@@ -191,7 +191,7 @@ TEST(IncrementalResponse, PiolaStressTurnsTheArea)
 {
   const double    angle = 0.7;
   const Gradient5 P =
-    IncrementalResponse::piola_stress({-1000., 0., 0., 0.}, rotation(angle));
+    InPlaneResponse::piola_stress({-1000., 0., 0., 0.}, rotation(angle));
   const double normal_x = std::cos(angle); // of the area that was normal to x
   EXPECT_NEAR(P[GradientComponent::xx], -1000. * normal_x, 1e-10);
   EXPECT_NEAR(P[GradientComponent::yx], 0., 1e-10);

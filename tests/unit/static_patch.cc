@@ -23,7 +23,7 @@ namespace
       , forces(grid.make_vector())
     {}
 
-    static Mesh
+    static Mesh<2>
     mesh(const CellType cell_type)
     {
       Rectangle rectangle;
@@ -39,10 +39,10 @@ namespace
     }
 
     /// The displacement L x.
-    FilledGrid::Vector
+    FilledGrid<2>::Vector
     linear_field(const Tensor<2, 2> &L) const
     {
-      FilledGrid::Vector field = grid.make_vector();
+      FilledGrid<2>::Vector field = grid.make_vector();
       field.zero_out_ghost_values();
       for (const auto &cell : grid.dof_handler.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
@@ -71,7 +71,7 @@ namespace
     }
 
     void
-    expect_uniform_stress(const SymmetricTensor4 &expected) const
+    expect_uniform_stress(const SymmetricComponents<4> &expected) const
     {
       double largest = 0.;
       for (const auto &point : equilibrium.material_points())
@@ -83,11 +83,11 @@ namespace
     }
 
     const Tensor<1, 2> gravity{{0., -9.81}};
-    Scene              scene;
-    FilledGrid         grid;
+    Scene<2>              scene;
+    FilledGrid<2>         grid;
     DruckerPrager      material;
-    Equilibrium        equilibrium;
-    FilledGrid::Vector forces;
+    Equilibrium<2>        equilibrium;
+    FilledGrid<2>::Vector forces;
   };
 
   Tensor<2, 2>
@@ -112,7 +112,7 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
 
   const auto first = patch.linear_field(L_1);
   patch.equilibrium.evaluate_forces(first, 0., patch.forces);
-  const SymmetricTensor4 elastic =
+  const SymmetricComponents<4> elastic =
     elasticity.stress({-0.010, -0.014, 0., 0.003});
   patch.expect_uniform_stress(elastic);
   EXPECT_LT(patch.largest_inner_force(), 1e-14);
@@ -122,7 +122,7 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
                                       L_2 * (L_1 + unit_symmetric_tensor<2>())),
                                     0.,
                                     patch.forces);
-  SymmetricTensor4 plastic = elastic + jaumann_rotation(elastic, 0.002) +
+  SymmetricComponents<4> plastic = elastic + jaumann_rotation(elastic, 0.002) +
                              elasticity.stress({0.016, -0.020, 0., -0.001});
   ASSERT_EQ(patch.material.classify(plastic), DruckerPrager::Case::yielding);
   patch.material.project(plastic);
@@ -142,7 +142,7 @@ TEST_P(PatchTest, TranslationAndRotationNeedNoForces)
 {
   Patch              patch(GetParam(), Formulation::plane_strain);
   constexpr double   angle = 1e-6;
-  FilledGrid::Vector field = patch.linear_field(tensor(std::cos(angle) - 1.,
+  FilledGrid<2>::Vector field = patch.linear_field(tensor(std::cos(angle) - 1.,
                                                        -std::sin(angle),
                                                        std::sin(angle),
                                                        std::cos(angle) - 1.));

@@ -2,7 +2,6 @@
 #define sandglass_flow_particle_in_cell_cell_stiffness_h
 
 #include <sandglass/flow/particle_in_cell/nodal_sums.h>
-#include <sandglass/flow/particle_in_cell/nodal_sums.h>
 
 namespace Sandglass
 {

@@ -54,10 +54,10 @@ namespace Sandglass
       , relocation(scene, geometry, walls, parameters, removed)
       , splitting(geometry,
                   initial_configuration,
-                  scene.mesh,
                   material.density,
                   volumetric_average.smallest_density,
-                  parameters.split_particles)
+                  parameters.split_particles == SplitParticles::where_needed &&
+                    needs_splitting(scene.mesh, initial_configuration))
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , critical(stress_update.law, geometry, scene)
     {
