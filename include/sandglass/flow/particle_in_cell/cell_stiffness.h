@@ -2,6 +2,7 @@
 #define sandglass_flow_particle_in_cell_cell_stiffness_h
 
 #include <sandglass/flow/particle_in_cell/nodal_sums.h>
+#include <sandglass/material/elasticity.h>
 
 namespace Sandglass
 {
