@@ -196,7 +196,7 @@ def discharge_times():
 
 
 def empty_times(silo):
-    """Of the three meshes, paper's / automatic step."""
+    """When the three meshes' silos are empty, paper's / automatic step."""
     rows = []
     for mesh in MESHES:
         times = [number(run_output.discharge_time(
