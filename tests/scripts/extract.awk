@@ -113,7 +113,7 @@ $1 == "tolerance" {
 }
 
 # The other lines are for CMakeLists.txt and regression.sh.
-NF == 0 || $1 ~ /^(prm|label|ranks|tolerance|times|restart)$/ { next }
+NF == 0 || $1 ~ /^(prm|label|ranks|tolerance|times|restart|blind)$/ { next }
 
 NF < 3 || (NF == 4 && $4 !~ /^(last|mean)$/) || NF > 4 {
   fail(FILENAME ", line " FNR ": expected FILE COLUMN SCALE [last | mean]")
