@@ -110,7 +110,7 @@ private:
 
   /// Name the edges on the line x_d = value up to `end` along it.
   static void
-  add_edges(Sandglass::Mesh              &mesh,
+  add_edges(Sandglass::Mesh<2>           &mesh,
             const unsigned int            d,
             const double                  value,
             const double                  end,
