@@ -195,7 +195,8 @@ public:
       [this](const unsigned int, const dealii::Point<2> &) {
         return Sandglass::InitialState<2>{
           {}, SymmetricComponents<4>(isotropic<4>(-initial_pressure)), 1.};
-      });
+      },
+      {});
     change_velocities([&](const dealii::Point<2> &X) {
       return this->motion.velocity(X, -end / n_steps / 2.);
     });

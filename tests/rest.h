@@ -24,6 +24,7 @@ start_from_rest(const StageFixture &fixture)
     *fixture.scene, fixture.material, fixture.walls, parameters, log);
   const Sandglass::StaticState<2> state = static_stage.run();
   Sandglass::carry_to_particles(state,
+                                *fixture.scene,
                                 *fixture.stage,
                                 parameters.displaces_particles);
   return state;

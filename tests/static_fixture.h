@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "rectangle_mesh.h"
+#include "wall_role.h"
 
 /**
  * The static stage on any mesh, with all parameters at hand before run().
@@ -55,7 +56,13 @@ struct StaticFixture
   void
   run_silo()
   {
-    run(Sandglass::mesh_silo(silo));
+    run(Sandglass::mesh_silo<2>(silo));
+  }
+
+  Sandglass::Elasticity
+  elasticity() const
+  {
+    return Sandglass::DruckerPrager(material).elasticity;
   }
 
   unsigned int
@@ -76,7 +83,7 @@ struct StaticFixture
 
   /// Mean over the cell's quadrature points.
   Sandglass::SymmetricComponents<4>
-  mean_stress(const Sandglass::StaticState::CellState &cell_state) const
+  mean_stress(const Sandglass::StaticState<2>::CellState &cell_state) const
   {
     Sandglass::SymmetricComponents<4> sum = Sandglass::SymmetricComponents<4>::Zero();
     for (unsigned int q = 0; q < n_points(); ++q)

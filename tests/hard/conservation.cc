@@ -110,7 +110,7 @@ namespace
       fixture.gravity                = {};
       fixture.walls.normal_condition =
         WallParameters::NormalCondition::acceleration;
-      const double wave_speed = Sandglass::DruckerPrager(fixture.material).elasticity.wave_speed(
+      const double wave_speed = fixture.elasticity().wave_speed(
         fixture.material.density / volume_ratio);
       period = 2. * n_elements * h / wave_speed;
       fixture.set_time_step(relative_time_step * h / wave_speed);
@@ -125,10 +125,11 @@ namespace
       fixture.start(rectangle.mesh());
       fixture.stage->start_from(
         [](const unsigned int, const Point<2> &) {
-          Sandglass::InitialState<2> state{{}, {}, volume_ratio};
+          InitialState<2> state{{}, {}, volume_ratio};
           state.stress << -50., -50., -50., 0.; // Pa
           return state;
-        });
+        },
+        {});
       fixture.change_particles([&](auto, const auto &x, auto state) {
         state[StageLayout::velocity] = 1e-6 * wave_speed * mode(x[0]);
       });

@@ -1,5 +1,4 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/output/particle_totals.h>
 
 #include <gtest/gtest.h>
 
@@ -62,9 +61,8 @@ namespace
     double
     energy()
     {
-      const ParticleTotals totals(*fixture.stage,
-                                  Sandglass::DruckerPrager(fixture.material).elasticity);
-      double               potential = 0.;
+      const FlowTotals totals    = fixture.stage->view().totals();
+      double           potential = 0.;
       fixture.for_each_particle([&](auto, const auto &position, auto state) {
         potential += state[StageLayout::mass] * 9.81 * position[1];
       });

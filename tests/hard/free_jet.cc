@@ -30,7 +30,7 @@ namespace
       silo.fall_region_depth = 0.6;
       silo.element_size      = h;
       silo.cell_type         = GetParam();
-      fixture.start(mesh_silo(silo));
+      fixture.start(mesh_silo<2>(silo));
       start_from_rest(fixture);
     }
 

@@ -104,7 +104,7 @@ TEST_P(ParticlesAndCells, CellsOfExtremeAspectRatio)
     {
       if (factor > 1. && GetParam() == CellType::triangle)
         continue;
-      Mesh<2> mesh = mesh_silo(silo.scene);
+      Mesh<2> mesh = mesh_silo<2>(silo.scene);
       for (auto &vertex : mesh.vertices)
         vertex[0] *= factor;
       silo.start(mesh);

@@ -32,9 +32,8 @@ TEST(Tension, StressReturnsToTheConeOrItsApex)
           if (i % 4 == 0) // nearly on the plane p = 0
             stress = deviator(stress) - 1e-16 * size * component(engine) *
                                           SymmetricComponents<4>(1., 1., 1., 0.);
-          const auto   found       = law.classify(stress);
           const double dissipation = law.project(stress);
-          n_separated += found == DruckerPrager::Case::separated ? 1 : 0;
+          n_separated += stress.isZero(0.) ? 1 : 0;
           ASSERT_TRUE(stress.allFinite());
           ASSERT_GE(dissipation, 0.);
           ASSERT_GE(pressure(stress), 0.);

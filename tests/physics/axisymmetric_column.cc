@@ -43,7 +43,7 @@ namespace
     double
     strain() const
     {
-      return scale / Sandglass::DruckerPrager(fixture.material).elasticity.confined_modulus();
+      return scale / fixture.elasticity().confined_modulus();
     }
 
     /// Largest difference of a row's mean vertical stress from -rho g depth,
@@ -134,18 +134,18 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
   while (!fixture.stage->is_finished())
     fixture.stage->step();
   double largest = 0., lateral_force = 0.;
-  for (const WallForce<2> &force : fixture.take_mean_forces())
-    if (force.role == BoundaryRole::wall)
+  for (const MeanWallForce &force : fixture.take_mean_forces())
+    if (is_role(force.wall, BoundaryRole::wall))
       {
-        EXPECT_NEAR(force.tangential_force / (scale * radius), 0., 1e-14);
-        lateral_force += force.normal_force;
+        EXPECT_NEAR(force.tangential_force() / (scale * radius), 0., 1e-14);
+        lateral_force += force.normal_force();
         // The end nodes' share of the wall lies to one side of them.
         const double y = force.position[1];
         if (y < 1e-9 || y > height - 1e-9)
           continue;
         const double expected = 0.3 / 0.7 * unit_weight * (height - y);
         largest               = std::max(largest,
-                           std::abs(force.normal_force / force.tributary_area -
+                           std::abs(force.normal_force() / force.tributary_area -
                                     expected) /
                              scale);
       }
@@ -168,9 +168,8 @@ TEST_P(CylinderAtRest, TheFloorCarriesTheWeight)
   while (!fixture.stage->is_finished())
     fixture.stage->step();
   double lift = 0.;
-  for (const WallForce<2> &force : fixture.take_mean_forces())
-    lift += -force.normal_force * force.normal[1] +
-            force.tangential_force * wall_tangent(force.normal)[1];
+  for (const MeanWallForce &force : fixture.take_mean_forces())
+    lift += force.force[1];
   const double momentum_rate = axial_momentum() / fixture.stage->view().clock().time;
   std::cout << "lift / weight - 1             " << lift / weight() - 1.
             << "\nrate of momentum / weight     " << momentum_rate / weight()

@@ -42,7 +42,7 @@ namespace
       fixture.gravity                      = {};
       fixture.walls.normal_condition =
         WallParameters::NormalCondition::acceleration;
-      wave_speed = Sandglass::DruckerPrager(fixture.material).elasticity.wave_speed(
+      wave_speed = fixture.elasticity().wave_speed(
         fixture.material.density / volume_ratio);
       fixture.set_time_step(relative_time_step * h / wave_speed);
 
@@ -96,12 +96,13 @@ namespace
           const bool   is_left = center < length / 2.;
           const double position =
             is_left == (reference[0] < 0.5) ? positions[0] : positions[1];
-          Sandglass::InitialState<2> state{{}, {}, volume_ratio};
+          InitialState<2> state{{}, {}, volume_ratio};
           state.displacement[0] =
             h * ((is_left ? position : 1. - position) - reference[0]);
           state.stress << -50., -50., -50., 0.; // Pa
           return state;
-        });
+        },
+        {});
     }
   };
 

@@ -24,7 +24,7 @@ namespace
       scene_parameters.cell_type      = cell_type;
       scene_parameters.outlet_is_open = false;
       fixture.parameters.end_time     = 2.;
-      fixture.start(mesh_silo(scene_parameters));
+      fixture.start(mesh_silo<2>(scene_parameters));
 
       start_from_rest(fixture);
     }

@@ -45,7 +45,7 @@ namespace
       silo.cell_type              = cell_type;
       fixture.formulation         = hopper.formulation;
       fixture.parameters.end_time = 3.;
-      fixture.start(mesh_silo(silo));
+      fixture.start(mesh_silo<2>(silo));
       transition = Point<2>(hopper.half_width, hopper.hopper_height);
       for (const auto &node : find_boundary_nodes(fixture.scene->dof_handler,
                                                   hopper.formulation,

@@ -50,7 +50,7 @@ TYPED_TEST(PlainLoopTest, SumsAreKeptUpToDate)
   for (unsigned int n = 0; n < 200; ++n)
     {
       kept.stage->step();
-      anew.stage->particles().start_new_edition();
+      anew.stage->edit_blocks([](auto &) {});
       anew.stage->step();
     }
   const double energy = kinetic_energy(anew.stage->particles().handler());

@@ -41,7 +41,7 @@ namespace
       silo.element_size        = 0.1;
       if (!silo.is_symmetric)
         silo.outlet_eccentricity = 0.3;
-      fixture.start(mesh_silo(silo));
+      fixture.start(mesh_silo<2>(silo));
 
       start_from_rest(fixture);
       run(0.05);
@@ -59,7 +59,7 @@ namespace
     ParticleTotals
     totals() const
     {
-      return {*fixture.stage, Sandglass::DruckerPrager(fixture.material).elasticity};
+      return {*fixture.stage, fixture.elasticity()};
     }
 
     /// In N s, summed over steps.

@@ -17,11 +17,11 @@ namespace
   struct StressedCells : StageFixture
   {
     using Geometry = CellGeometry<Setting::cell_type>;
-    using Field    = NodalField<dim>;
+    using Field    = NodalField<2>;
 
     StressedCells()
     {
-      formulation            = Setting::formulation;
+      formulation            = Setting::Kinematics::formulation;
       material.density       = density;
       material.poisson_ratio = 0.3;
       Rectangle rectangle;
@@ -56,7 +56,7 @@ namespace
     double
     work(const Field &v, const Field &u, const double smallest_density) const
     {
-      const Sandglass::ParticleBlocks<StageLayout> &blocks = stage->particles().blocks();
+      const auto &blocks = stage->particles().blocks();
       double                sum    = 0.;
       blocks.for_each([&](const ParticleSlot &slot) {
         const auto state = load_state(blocks[slot.block], slot.lane);
@@ -65,7 +65,7 @@ namespace
           {
             const SymmetricComponents<4> strain = strain_of(v, slot.cell, state);
             const SymmetricComponents<4> stress =
-              Sandglass::DruckerPrager(material).elasticity.stress(strain_of(u, slot.cell, state));
+              elasticity().stress(strain_of(u, slot.cell, state));
             sum += state.mass / state.density *
                    (strain.dot(stress) +
                     strain[Component::xy] * stress[Component::xy]);
@@ -82,7 +82,7 @@ namespace
     SymmetricComponents<4>
     strain_of(const Field                 &displacement,
               const unsigned int           cell,
-              const ParticleState<double> &state) const
+              const ParticleState<StageLayout, double> &state) const
     {
       const auto values = Geometry::Shape::shape_values(state.reference);
       const auto gradients =
@@ -96,7 +96,7 @@ namespace
           strain[Component::yy] += u[1] * gradients[i][1];
           strain[Component::xy] +=
             0.5 * (u[0] * gradients[i][1] + u[1] * gradients[i][0]);
-          if (Setting::formulation == Formulation::axisymmetric)
+          if (Setting::has_hoop_strain)
             strain[Component::zz] += u[0] * values[i] / state.location[0];
         }
       return strain;
@@ -120,15 +120,15 @@ TYPED_TEST(CellStiffnessTest, IsTheElasticWorkOfStiffParticles)
   StressedCells<TypeParam> cells;
   const double             smallest_density =
     CellStiffness<TypeParam>::stiff_share * density;
-  const Sandglass::ParticleBlocks<StageLayout> &blocks = cells.stage->particles().blocks();
+  const auto &blocks = cells.stage->particles().blocks();
   NodalSums<TypeParam>  sums(*cells.geometry, smallest_density, {});
   sums.cells.compute(blocks);
-  CellStiffness<TypeParam> stiffness(Sandglass::DruckerPrager(cells.material).elasticity,
+  CellStiffness<TypeParam> stiffness(DruckerPrager(cells.material),
                                      *cells.geometry);
   stiffness.assemble(blocks, sums);
 
   auto            u = cells.random_field(), v = cells.random_field();
-  NodalField<dim> product(*cells.scene->nodes);
+  NodalField<2> product(*cells.scene->nodes);
   product.start_sum();
   const double energy = stiffness.multiply(blocks, sums, u, product);
 

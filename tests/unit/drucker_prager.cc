@@ -6,6 +6,8 @@
 #include <iostream>
 #include <vector>
 
+#include "return_case.h"
+
 using namespace Sandglass;
 
 namespace
@@ -20,17 +22,17 @@ namespace
 
   struct Projected
   {
-    SymmetricComponents<4>    stress;
-    DruckerPrager::Case found;
-    double              dissipation;
+    SymmetricComponents<4> stress;
+    ReturnCase             found;
+    double                 dissipation;
   };
 
   Projected
   project(const SymmetricComponents<4> &trial)
   {
-    Projected result{trial, DruckerPrager::Case::elastic, 0.};
-    result.found       = material.classify(trial);
+    Projected result{trial, ReturnCase::elastic, 0.};
     result.dissipation = material.project(result.stress);
+    result.found       = case_of(trial, result.stress);
     return result;
   }
 
@@ -61,7 +63,7 @@ TEST(DruckerPrager, KeepsAdmissibleStress)
   // q = 387 < 1250
   const SymmetricComponents<4> trial(-1200., -800., -1000., 100.);
   const Projected        result = project(trial);
-  EXPECT_EQ(result.found, DruckerPrager::Case::elastic);
+  EXPECT_EQ(result.found, ReturnCase::elastic);
   EXPECT_EQ(result.stress, trial);
   EXPECT_EQ(result.dissipation, 0.);
 }
@@ -75,7 +77,7 @@ TEST(DruckerPrager, ScalesTheDeviatorBack)
   const double           r = 1250. / std::sqrt(6e6);
   const SymmetricComponents<4> trial(-2000., 0., -1000., 1000.);
   const Projected        result = project(trial);
-  EXPECT_EQ(result.found, DruckerPrager::Case::yielding);
+  EXPECT_EQ(result.found, ReturnCase::yielding);
   expect_near(result.stress,
               {-1000. - 1000. * r, -1000. + 1000. * r, -1000., 1000. * r},
               1000.);
@@ -92,24 +94,24 @@ TEST(DruckerPrager, DropsStressOfSeparatedMaterial)
 {
   // p = -100
   const Projected pulled = project({500., -300., 100., 40.});
-  EXPECT_EQ(pulled.found, DruckerPrager::Case::separated);
+  EXPECT_EQ(pulled.found, ReturnCase::separated);
   EXPECT_EQ(pulled.stress, SymmetricComponents<4>(SymmetricComponents<4>::Zero()));
   EXPECT_EQ(pulled.dissipation, 0.);
   // p = 0 with shear is outside of the surface as well
-  EXPECT_EQ(project({0., 0., 0., 1.}).found, DruckerPrager::Case::separated);
+  EXPECT_EQ(project({0., 0., 0., 1.}).found, ReturnCase::separated);
   // no stress at all is admissible
-  EXPECT_EQ(project({0., 0., 0., 0.}).found, DruckerPrager::Case::elastic);
+  EXPECT_EQ(project({0., 0., 0., 0.}).found, ReturnCase::elastic);
 }
 
 
 
 TEST(DruckerPrager, DerivativeAgreesWithDifferences)
 {
-  const std::vector<std::pair<SymmetricComponents<4>, DruckerPrager::Case>> cases = {
-    {{-1200., -800., -1000., 100.}, DruckerPrager::Case::elastic},
-    {{-2000., 0., -1000., 1000.}, DruckerPrager::Case::yielding},
-    {{-300., -4000., -700., -900.}, DruckerPrager::Case::yielding},
-    {{500., -300., 100., 40.}, DruckerPrager::Case::separated}};
+  const std::vector<std::pair<SymmetricComponents<4>, ReturnCase>> cases = {
+    {{-1200., -800., -1000., 100.}, ReturnCase::elastic},
+    {{-2000., 0., -1000., 1000.}, ReturnCase::yielding},
+    {{-300., -4000., -700., -900.}, ReturnCase::yielding},
+    {{500., -300., 100., 40.}, ReturnCase::separated}};
   for (const auto &[trial, expected_case] : cases)
     {
       ASSERT_EQ(project(trial).found, expected_case);

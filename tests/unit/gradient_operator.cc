@@ -19,7 +19,7 @@ namespace
     {
       for (unsigned int v = 0; v < n_dofs / 2; ++v)
         at_start.set_node(v,
-                          {uniform(engine), uniform(engine)},
+                          std::array<double, 2>{{uniform(engine), uniform(engine)}},
                           has_hoop ? 1. + uniform(engine) : 0.);
       H = 0.1 * random<5, 1>();
       if (!has_hoop)

@@ -35,7 +35,7 @@ namespace
       Tensor<2, 2> middle = 0.5 * gradient;
       middle[0][0] += 1.;
       middle[1][1] += 1.;
-      const InPlaneIncrement strain(gradient * invert(middle), 0.);
+      const InPlaneIncrement<double> strain(gradient * invert(middle), 0.);
       stress = rotate(stress, rotation.step) +
                rotate(elasticity.stress(strain.strain), rotation.half);
       deformation = after;

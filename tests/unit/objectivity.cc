@@ -21,7 +21,7 @@ namespace
              const Tensor<2, 2>     &gradient,
              const StressIntegration integration)
   {
-    const InPlaneIncrement increment(gradient, 0., integration);
+    const InPlaneIncrement<double> increment(gradient, 0., integration);
     return rotate(stress, increment.rotation) +
            elasticity.stress(increment.strain);
   }

@@ -56,15 +56,16 @@ TEST(QuadrilateralShape, finds_reference_coordinates_from_any_start)
 TEST(QuadrilateralShape, derivatives_are_those_of_the_shape_functions)
 {
   const Shape                       shape = square(0.3);
-  const Pair<double>                point{{0.2, 0.7}};
-  const std::array<Pair<double>, 4> values{
+  using Pair                     = std::array<double, 2>;
+  const Pair                point{{0.2, 0.7}};
+  const std::array<Pair, 4> values{
     {{{1., -2.}}, {{3., 0.5}}, {{-1., 4.}}, {{2., 2.}}}};
-  const Pair<double> force{{3., -5.}};
+  const Pair force{{3., -5.}};
 
   const auto   of_nodes  = shape.shape_gradients(point);
   const auto   gradient  = shape.gradient_of(values, point);
   const auto   reference = shape.reference_gradients(point);
-  Pair<double> direction;
+  Pair direction;
   for (unsigned int r = 0; r < 2; ++r)
     direction[r] = force[0] * reference[r][0] + force[1] * reference[r][1];
   const auto along = Shape::derivatives_along(direction, point);

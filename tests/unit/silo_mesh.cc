@@ -78,7 +78,7 @@ namespace
 
 TEST_P(WholeSilo, RolesCoverTheBoundary)
 {
-  const Mesh<2>   mesh   = mesh_silo(silo);
+  const Mesh<2>   mesh   = mesh_silo<2>(silo);
   const double hopper = silo.hopper_height * 1.6 - // rectangle less triangles
                         silo.hopper_height * (0.8 + 0.4) / 2.;
   EXPECT_NEAR(area(mesh, true), 1.6 * 1.2 + hopper, 1e-12);
@@ -102,7 +102,7 @@ TEST_P(WholeSilo, RolesCoverTheBoundary)
 TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 {
   const Scene<2> scene(
-    mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+    mesh_silo<2>(silo), silo.formulation, 4, silo.gravity_vector<2>(), MPI_COMM_WORLD);
   EXPECT_EQ(scene.symmetry_factor, 1.);
 
   walls.outlet_lip     = WallParameters::OutletLip::floor;
@@ -142,7 +142,7 @@ TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 TEST_P(WholeSilo, SidesOfTheWalls)
 {
   const Scene<2> scene(
-    mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+    mesh_silo<2>(silo), silo.formulation, 4, silo.gravity_vector<2>(), MPI_COMM_WORLD);
   const WallLines lines(scene.mesh, SiloMeasures(scene).bottom_centre);
   const auto      expect_place = [&lines](const BoundaryRole    role,
                                      const Point<dim>     &point,
@@ -179,7 +179,7 @@ TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
   for (const double hopper_height : {0., 0.6})
     {
       silo.hopper_height = hopper_height;
-      const Mesh<2> mesh    = mesh_silo(silo);
+      const Mesh<2> mesh    = mesh_silo<2>(silo);
       for (const auto &vertex : mesh.vertices)
         EXPECT_TRUE(std::any_of(
           mesh.vertices.begin(), mesh.vertices.end(), [&](const auto &other) {
@@ -229,7 +229,7 @@ TEST(GradedSilo, CellsGrowFromTheLips)
     {
       silo.is_symmetric = is_symmetric;
       silo.check();
-      const Mesh<2> mesh = mesh_silo(silo);
+      const Mesh<2> mesh = mesh_silo<2>(silo);
       for (const double x : {-0.225, 0.225})
         {
           if (x < 0. && is_symmetric)
@@ -249,10 +249,10 @@ TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
   StageFixture::ClearedParameters cleared;
   SceneParameters                 silo;
   silo.element_size = 0.1;
-  const Mesh<2> mesh   = mesh_silo(silo);
+  const Mesh<2> mesh   = mesh_silo<2>(silo);
 
   silo.outlet_element_size = silo.element_size;
-  const Mesh<2> same          = mesh_silo(silo);
+  const Mesh<2> same          = mesh_silo<2>(silo);
   ASSERT_EQ(mesh.vertices.size(), same.vertices.size());
   for (unsigned int i = 0; i < mesh.vertices.size(); ++i)
     EXPECT_EQ(mesh.vertices[i], same.vertices[i]);
@@ -272,7 +272,7 @@ TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
         silo.outlet_element_size = size;
         silo.mesh_seed           = seed;
         const Scene<2> scene(
-          mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+          mesh_silo<2>(silo), silo.formulation, 4, silo.gravity_vector<2>(), MPI_COMM_WORLD);
         const CellGeometry<CellType::triangle>         geometry(scene);
         const InitialConfiguration<CellType::triangle> points(scene, geometry);
         const ParticleSplitting<Plane>                 splitting(
