@@ -52,7 +52,7 @@ mass_of_all(const Sandglass::FlowTotals &totals)
 struct MeanWallForce
 {
   dealii::Point<2>     position;
-  Sandglass::WallId    wall; ///< see is_role()
+  Sandglass::WallId    wall;   ///< see is_role()
   dealii::Tensor<1, 2> normal; ///< outward from the material
   double               tributary_area;
   dealii::Tensor<1, 2> force; ///< in N
@@ -100,7 +100,7 @@ struct StageFixture
   unsigned int           particles_per_cell = 4;
   dealii::Tensor<1, 2>   gravity{{0., -9.81}};
 
-  std::unique_ptr<Sandglass::Scene<2>>         scene;
+  std::unique_ptr<Sandglass::Scene<2>> scene;
   std::unique_ptr<Stage>               stage;
 
   Stage &
@@ -111,8 +111,7 @@ struct StageFixture
     scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
     stage.reset(&dynamic_cast<Stage &>(
-      *Sandglass::make_flow<2>(*scene, material, walls, parameters)
-         .release()));
+      *Sandglass::make_flow<2>(*scene, material, walls, parameters).release()));
     last_records = stage->view().wall_records();
     return *stage;
   }

@@ -5,8 +5,8 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <sandglass/scene/make_mesh.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
+#include <sandglass/scene/make_mesh.h>
 
 #include <memory>
 #include <sstream>
@@ -41,15 +41,16 @@ struct StaticFixture
 
   std::unique_ptr<Sandglass::Scene<2>> scene;
   Sandglass::StaticState<2>            state;
-  std::ostringstream                log_text;
+  std::ostringstream                   log_text;
 
   void
-  run(const Sandglass::Mesh<2> &mesh, const MPI_Comm communicator = MPI_COMM_WORLD)
+  run(const Sandglass::Mesh<2> &mesh,
+      const MPI_Comm            communicator = MPI_COMM_WORLD)
   {
     scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, formulation, 4, gravity, communicator);
     dealii::ConditionalOStream log(log_text);
-    Sandglass::StaticStage<2>     stage(*scene, material, walls, parameters, log);
+    Sandglass::StaticStage<2>  stage(*scene, material, walls, parameters, log);
     state = stage.run();
   }
 
@@ -85,7 +86,8 @@ struct StaticFixture
   Sandglass::SymmetricComponents<4>
   mean_stress(const Sandglass::StaticState<2>::CellState &cell_state) const
   {
-    Sandglass::SymmetricComponents<4> sum = Sandglass::SymmetricComponents<4>::Zero();
+    Sandglass::SymmetricComponents<4> sum =
+      Sandglass::SymmetricComponents<4>::Zero();
     for (unsigned int q = 0; q < n_points(); ++q)
       sum += cell_state.stress[q];
     return sum / n_points();

@@ -112,7 +112,7 @@ namespace
 
     /// Name the edges on the line x_d = value up to `end` along it.
     static void
-    add_edges(Mesh<2>              &mesh,
+    add_edges(Mesh<2>           &mesh,
               const unsigned int d,
               const double       value,
               const double       end,

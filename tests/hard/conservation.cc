@@ -53,8 +53,9 @@ namespace
     {
       double sum = 0.;
       fixture.for_each_particle([&sum](auto, const auto &x, auto state) {
-        sum += state[StageLayout::mass] * (x[0] * state[StageLayout::velocity + 1] -
-                                        x[1] * state[StageLayout::velocity]);
+        sum +=
+          state[StageLayout::mass] * (x[0] * state[StageLayout::velocity + 1] -
+                                      x[1] * state[StageLayout::velocity]);
       });
       return sum;
     }
@@ -146,7 +147,8 @@ namespace
           fixture.stage->step();
           double energy = 0.;
           fixture.for_each_particle([&energy](auto, auto &, auto state) {
-            energy += 0.5 * state[StageLayout::mass] * state[StageLayout::velocity] *
+            energy += 0.5 * state[StageLayout::mass] *
+                      state[StageLayout::velocity] *
                       state[StageLayout::velocity];
           });
           largest = std::max(largest, energy);

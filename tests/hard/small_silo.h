@@ -62,7 +62,9 @@ struct SmallSilo
     while (fixture.stage->view().clock().time < time)
       {
         fixture.stage->step();
-        largest = std::max(largest, fixture.stage->view().totals().largest_speed / free_fall);
+        largest =
+          std::max(largest,
+                   fixture.stage->view().totals().largest_speed / free_fall);
       }
     return largest;
   }

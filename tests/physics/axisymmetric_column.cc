@@ -57,9 +57,10 @@ namespace
     {
       std::array<double, n_rows> sums{}, volumes{};
       fixture.for_each_particle([&](auto id, auto &, auto state) {
-        const double y      = fixture.stage->initial_position(id)[1];
-        const auto   row    = static_cast<unsigned int>(n_rows * y / height);
-        const double volume = state[StageLayout::mass] / state[StageLayout::density];
+        const double y   = fixture.stage->initial_position(id)[1];
+        const auto   row = static_cast<unsigned int>(n_rows * y / height);
+        const double volume =
+          state[StageLayout::mass] / state[StageLayout::density];
         volumes[row] += volume;
         sums[row] += volume * state[StageLayout::stress + Component::yy];
       });
@@ -89,8 +90,9 @@ namespace
     weight() const
     {
       double sum = 0.;
-      fixture.for_each_particle(
-        [&](auto, auto &, auto state) { sum += 9.81 * state[StageLayout::mass]; });
+      fixture.for_each_particle([&](auto, auto &, auto state) {
+        sum += 9.81 * state[StageLayout::mass];
+      });
       return sum;
     }
 
@@ -144,10 +146,11 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
         if (y < 1e-9 || y > height - 1e-9)
           continue;
         const double expected = 0.3 / 0.7 * unit_weight * (height - y);
-        largest               = std::max(largest,
-                           std::abs(force.normal_force() / force.tributary_area -
-                                    expected) /
-                             scale);
+        largest =
+          std::max(largest,
+                   std::abs(force.normal_force() / force.tributary_area -
+                            expected) /
+                     scale);
       }
   const double expected_force =
     0.3 / 0.7 * unit_weight * height * height / 2. * 2. * numbers::PI * radius;
@@ -170,7 +173,8 @@ TEST_P(CylinderAtRest, TheFloorCarriesTheWeight)
   double lift = 0.;
   for (const MeanWallForce &force : fixture.take_mean_forces())
     lift += force.force[1];
-  const double momentum_rate = axial_momentum() / fixture.stage->view().clock().time;
+  const double momentum_rate =
+    axial_momentum() / fixture.stage->view().clock().time;
   std::cout << "lift / weight - 1             " << lift / weight() - 1.
             << "\nrate of momentum / weight     " << momentum_rate / weight()
             << std::endl;

@@ -174,9 +174,7 @@ TEST_P(AxisymmetricConservation, ParticlesOnTheAxisStayFinite)
       const Point<2> position =
         fixture.scene->mapping.transform_unit_to_real_cell(iterator, reference);
       const double radius = is_at_axis[cell] ? position[0] : 0.;
-      return InitialState<2>{Tensor<1, 2>({-radius, 0.}),
-                                         stress,
-                                         0.999};
+      return InitialState<2>{Tensor<1, 2>({-radius, 0.}), stress, 0.999};
     },
     {});
   const double wave_speed = fixture.elasticity().wave_speed(1500.);
@@ -184,7 +182,8 @@ TEST_P(AxisymmetricConservation, ParticlesOnTheAxisStayFinite)
     {
       stage.step();
       ASSERT_TRUE(totals_of(fixture).is_finite) << "step " << step;
-      ASSERT_LT(stage.view().totals().largest_speed / wave_speed, 0.1) << "step " << step;
+      ASSERT_LT(stage.view().totals().largest_speed / wave_speed, 0.1)
+        << "step " << step;
     }
   const double smallest_radius = totals_of(fixture).smallest_radius;
   std::cout << "smallest radius " << smallest_radius

@@ -35,7 +35,9 @@ namespace
       };
       fixture.start(rectangle.mesh());
       fixture.change_particles([](auto, auto &, auto state) {
-        std::copy_n(stress_before.data(), 4, state.begin() + StageLayout::stress);
+        std::copy_n(stress_before.data(),
+                    4,
+                    state.begin() + StageLayout::stress);
       });
     }
 
@@ -71,21 +73,23 @@ namespace
           return Tensor<1, 2>({a * position[0], b * position[1]});
         });
       // The average of a uniform rate is that rate.
-      const CellGeometry<cell_type>            geometry(*fixture.scene);
-      VolumetricAverage<CellSetting>           average(*fixture.scene->nodes,
+      const CellGeometry<cell_type>     geometry(*fixture.scene);
+      VolumetricAverage<CellSetting>    average(*fixture.scene->nodes,
                                              geometry,
                                              0.,
                                              true);
       const StressUpdate<DruckerPrager> update(DruckerPrager(fixture.material),
                                                fixture.material.density,
                                                DensityUpdate::paper);
-      NodalSums<CellSetting> sums(geometry, 0., {});
+      NodalSums<CellSetting>            sums(geometry, 0., {});
       average.cells->compute(fixture.stage->particles().blocks());
       average.compute(fixture.stage->particles().blocks(), sums, velocity);
       Strays<StageLayout> strays;
       fixture.stage->edit_blocks([&](auto &blocks) {
-        ParticlePass<CellSetting, true>(
-          geometry, update, StressIntegration::start_of_step, time_step)
+        ParticlePass<CellSetting, true>(geometry,
+                                        update,
+                                        StressIntegration::start_of_step,
+                                        time_step)
           .run(blocks,
                fixture.stage->nodal_fields().acceleration, // none yet
                velocity,
@@ -103,7 +107,7 @@ namespace
     void
     expect_exact_rates(const double distance) const
     {
-      const Elasticity       elasticity = fixture.elasticity();
+      const Elasticity             elasticity = fixture.elasticity();
       const SymmetricComponents<4> rates(a, b, a, 0.);
       const SymmetricComponents<4> change =
         elasticity.stress(SymmetricComponents<4>(time_step * rates));
@@ -171,7 +175,9 @@ TYPED_TEST(AxisymmetricKinematics, RatesAreThoseNextToTheAxisToo)
     {
       this->move_to_axis(distance);
       this->fixture.change_particles([](auto, auto &, auto state) {
-        std::copy_n(stress_before.data(), 4, state.begin() + StageLayout::stress);
+        std::copy_n(stress_before.data(),
+                    4,
+                    state.begin() + StageLayout::stress);
         state[StageLayout::density] = 1500.;
       });
       this->set_velocity_and_move();

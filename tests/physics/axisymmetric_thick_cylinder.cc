@@ -150,7 +150,7 @@ namespace
       TangentMatrix<2> stiffness(grid, TangentMatrix<2>::Storage::rows);
       equilibrium.assemble_tangent(contact, 1., stiffness);
 
-      FilledGrid<2>::Vector             displacement = grid.make_vector();
+      FilledGrid<2>::Vector          displacement = grid.make_vector();
       SolverControl                  control;
       TrilinosWrappers::SolverDirect solver(control);
       solver.initialize(stiffness.stored_matrix());
@@ -161,12 +161,12 @@ namespace
     }
 
     StageFixture  fixture; // for the walls' parameters
-    Scene<2>         scene;
+    Scene<2>      scene;
     const double  cell_height;
-    FilledGrid<2>    grid;
+    FilledGrid<2> grid;
     DruckerPrager material;
     MaterialEquilibrium<Axisymmetric, DruckerPrager> equilibrium;
-    WallContact<2>   contact;
+    WallContact<2>                                   contact;
   };
 
   class ThickCylinderTest : public testing::TestWithParam<CellType>

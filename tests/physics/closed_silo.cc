@@ -40,10 +40,11 @@ namespace
         const double y = fixture.stage->initial_position(id)[1];
         const auto   band =
           std::min<unsigned int>(n_bands * y / top, n_bands - 1);
-        const double volume = state[StageLayout::mass] / state[StageLayout::density];
+        const double volume =
+          state[StageLayout::mass] / state[StageLayout::density];
         volumes[band] += volume;
-        sums[band] +=
-          volume * Eigen::Map<const SymmetricComponents<4>>(&state[StageLayout::stress]);
+        sums[band] += volume * Eigen::Map<const SymmetricComponents<4>>(
+                                 &state[StageLayout::stress]);
       });
       for (unsigned int band = 0; band < n_bands; ++band)
         sums[band] /= volumes[band];

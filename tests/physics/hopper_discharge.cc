@@ -80,9 +80,9 @@ namespace
       return largest;
     }
 
-    StageFixture fixture;
+    StageFixture    fixture;
     BoundaryNode<2> corner;
-    Point<2>     transition;
+    Point<2>        transition;
   };
 } // namespace
 
@@ -131,8 +131,8 @@ TEST_P(HopperTest, DischargesWithoutLosingAParticle)
   std::cout << "discharged / initial mass            " << discharged / initial
             << "\nerror of the mass balance            " << balance
             << "\nv^L into the corner / sqrt(2 g e)    " << largest_into_wall
-            << "\nsteps                                " << stage.view().clock().step
-            << std::endl;
+            << "\nsteps                                "
+            << stage.view().clock().step << std::endl;
   EXPECT_EQ(lost, 0.);
   EXPECT_NEAR(balance, 0., 1e-12);
   EXPECT_GT(discharged / initial, 0.3);

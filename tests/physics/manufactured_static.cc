@@ -98,7 +98,7 @@ namespace
     /// With a quadrature that is exact enough to add nothing of its own.
     void
     add_displacement_errors(const FilledGrid<2>::Vector &displacement,
-                            Errors                   &result) const
+                            Errors                      &result) const
     {
       const Quadrature<2> quadrature =
         scene.mesh.cell_type == CellType::triangle ?
@@ -175,7 +175,8 @@ namespace
 
     /// Of the load step, which is the first.
     SymmetricComponents<4>
-    elastic_stress(const typename MaterialEquilibrium::MaterialPoint &point) const
+    elastic_stress(
+      const typename MaterialEquilibrium::MaterialPoint &point) const
     {
       return exact.elasticity.stress(
         InPlaneResponse::increment(point.gradient).strain);
@@ -193,12 +194,12 @@ namespace
     WallParameters               walls;
     StaticStageParameters        parameters;
     const ManufacturedSettlement exact;
-    Scene<2>                        scene;
-    FilledGrid<2>                   grid;
+    Scene<2>                     scene;
+    FilledGrid<2>                grid;
     DruckerPrager                material;
     MaterialEquilibrium          equilibrium;
-    WallContact<2>                  contact;
-    NewtonSolver<2>                 solver;
+    WallContact<2>               contact;
+    NewtonSolver<2>              solver;
   };
 
   class ManufacturedStatic

@@ -79,9 +79,8 @@ TEST_P(ColumnTest, StressIsThatOfUniaxialStrain)
 TEST_P(ColumnTest, SurfaceSettlesByTheClosedForm)
 {
   // u = rho g H^2 / (2 M) with the confined modulus M
-  const double settlement =
-    1500. * 9.81 * height * height /
-    (2. * fixture.elasticity().confined_modulus());
+  const double settlement = 1500. * 9.81 * height * height /
+                            (2. * fixture.elasticity().confined_modulus());
   double smallest = 1e300, largest = -1e300;
   fixture.for_each_cell([&](const auto &cell, const auto &cell_state) {
     for (const unsigned int v : cell->vertex_indices())

@@ -123,7 +123,7 @@ namespace
     Rectangle rectangle;
     rectangle.cell_type = CellType::quadrilateral;
     rectangle.is_filled = [](const Point<2> &p) { return p[1] > 0.5; };
-    Mesh<2> mesh           = rectangle.mesh();
+    Mesh<2> mesh        = rectangle.mesh();
     for (auto &cell : mesh.cells)
       if (turns_empty_cells && !cell.is_filled)
         std::rotate(cell.vertices.begin(),

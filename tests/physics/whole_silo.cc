@@ -44,8 +44,8 @@ namespace
         fixture.stage->step();
     }
 
-    StageFixture           fixture;
-    SceneParameters        parameters;
+    StageFixture              fixture;
+    SceneParameters           parameters;
     std::vector<WallForce<2>> forces;
   };
 
@@ -115,7 +115,7 @@ TEST_P(WholeSilo, TheMirroredMeshFlowsLikeTheHalf)
   Silo half;
   choose_shape(half);
   half.fixture.parameters.time_step_text = "2e-4";
-  const Mesh<2> mesh                        = mesh_silo<2>(half.parameters);
+  const Mesh<2> mesh                     = mesh_silo<2>(half.parameters);
   half.start(mesh);
   half.run_until(0.2);
   Silo whole;

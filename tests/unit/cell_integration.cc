@@ -41,9 +41,10 @@ namespace
       const auto &mesh    = fixture.scene->mesh;
       fixture.stage->start_from(
         [&](const unsigned int cell, const auto &) {
-          InitialState<2> state{
-            {}, SymmetricComponents<4>(-3e3, -5e3, -3e3, shear), volume_ratio};
-          double nearest = 1.;
+          InitialState<2> state{{},
+                                SymmetricComponents<4>(-3e3, -5e3, -3e3, shear),
+                                volume_ratio};
+          double          nearest = 1.;
           for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
             nearest =
               std::min(nearest,
@@ -61,17 +62,17 @@ namespace
     largest_force() const
     {
       double largest = 0.;
-      fixture.for_each_node(
-        [&](const Point<2> &vertex, const unsigned int node) {
-          if (std::min(
-                {vertex[0] - 1., 2. - vertex[0], vertex[1], 1. - vertex[1]}) <
-              1e-12)
-            return;
-          const double *sums = fixture.stage->nodal_fields().sums.at(node);
-          for (unsigned int d = 0; d < 2; ++d)
-            largest =
-              std::max(largest, std::abs(sums[NodalSum<2>::internal_force + d]));
-        });
+      fixture.for_each_node([&](const Point<2>    &vertex,
+                                const unsigned int node) {
+        if (std::min(
+              {vertex[0] - 1., 2. - vertex[0], vertex[1], 1. - vertex[1]}) <
+            1e-12)
+          return;
+        const double *sums = fixture.stage->nodal_fields().sums.at(node);
+        for (unsigned int d = 0; d < 2; ++d)
+          largest =
+            std::max(largest, std::abs(sums[NodalSum<2>::internal_force + d]));
+      });
       const double circumference =
         fixture.formulation == Formulation::axisymmetric ?
           2. * numbers::PI * 1.5 :

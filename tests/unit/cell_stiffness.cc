@@ -57,13 +57,14 @@ namespace
     work(const Field &v, const Field &u, const double smallest_density) const
     {
       const auto &blocks = stage->particles().blocks();
-      double                sum    = 0.;
+      double      sum    = 0.;
       blocks.for_each([&](const ParticleSlot &slot) {
         const auto state = load_state(blocks[slot.block], slot.lane);
         if (state.stress[Component::yy] != 0. ||
             state.density >= smallest_density)
           {
-            const SymmetricComponents<4> strain = strain_of(v, slot.cell, state);
+            const SymmetricComponents<4> strain =
+              strain_of(v, slot.cell, state);
             const SymmetricComponents<4> stress =
               elasticity().stress(strain_of(u, slot.cell, state));
             sum += state.mass / state.density *
@@ -80,14 +81,14 @@ namespace
 
   private:
     SymmetricComponents<4>
-    strain_of(const Field                 &displacement,
-              const unsigned int           cell,
+    strain_of(const Field                              &displacement,
+              const unsigned int                        cell,
               const ParticleState<StageLayout, double> &state) const
     {
       const auto values = Geometry::Shape::shape_values(state.reference);
       const auto gradients =
         geometry->shape(cell).shape_gradients(state.reference);
-      const auto      &nodes  = geometry->nodes(cell);
+      const auto            &nodes  = geometry->nodes(cell);
       SymmetricComponents<4> strain = SymmetricComponents<4>::Zero();
       for (unsigned int i = 0; i < nodes.size(); ++i)
         {
@@ -107,11 +108,11 @@ namespace
   class CellStiffnessTest : public testing::Test
   {};
 
-  using Settings =
-    testing::Types<Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
-                   Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
-                   Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
-                   Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
+  using Settings = testing::Types<
+    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
+    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
+    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
+    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
   TYPED_TEST_SUITE(CellStiffnessTest, Settings);
 } // namespace
 
@@ -120,14 +121,14 @@ TYPED_TEST(CellStiffnessTest, IsTheElasticWorkOfStiffParticles)
   StressedCells<TypeParam> cells;
   const double             smallest_density =
     CellStiffness<TypeParam>::stiff_share * density;
-  const auto &blocks = cells.stage->particles().blocks();
-  NodalSums<TypeParam>  sums(*cells.geometry, smallest_density, {});
+  const auto          &blocks = cells.stage->particles().blocks();
+  NodalSums<TypeParam> sums(*cells.geometry, smallest_density, {});
   sums.cells.compute(blocks);
   CellStiffness<TypeParam> stiffness(DruckerPrager(cells.material),
                                      *cells.geometry);
   stiffness.assemble(blocks, sums);
 
-  auto            u = cells.random_field(), v = cells.random_field();
+  auto          u = cells.random_field(), v = cells.random_field();
   NodalField<2> product(*cells.scene->nodes);
   product.start_sum();
   const double energy = stiffness.multiply(blocks, sums, u, product);

@@ -13,7 +13,7 @@ namespace
   double
   largest_stable_step(StageFixture &fixture)
   {
-    using Quadrilaterals = 
+    using Quadrilaterals =
       Setting<Kinematics, CellType::quadrilateral, DruckerPrager>;
     const auto &stage  = *fixture.stage;
     const auto &blocks = stage.particles().blocks();
@@ -25,11 +25,16 @@ namespace
       geometry,
       fixture.parameters.consistent_mass_share);
     mass_matrix.assemble(blocks, cells, stage.nodal_fields().sums);
-    return CriticalTimeStep<Quadrilaterals>(DruckerPrager(fixture.material),
-                                            geometry,
-                                            *fixture.scene)
-      .compute(
-        blocks, cells, mass_matrix, stage.wall_contact(), stage.nodal_fields().sums, 60);
+    CriticalTimeStep<Quadrilaterals> critical(DruckerPrager(fixture.material),
+                                              geometry,
+                                              *fixture.scene);
+    critical.assemble(blocks, cells);
+    return critical.compute(blocks,
+                            cells,
+                            mass_matrix,
+                            stage.wall_contact(),
+                            stage.nodal_fields().sums,
+                            60);
   }
 
   /// Critical step, times wave speed over element size, of a strip of squares
@@ -52,13 +57,10 @@ namespace
     rectangle.n_x   = 1;
     rectangle.n_y   = 40;
     fixture.start(rectangle.mesh());
-    const double step =
-      formulation == Formulation::plane_strain ?
-        largest_stable_step<PlaneStrain>(fixture) :
-        largest_stable_step<Axisymmetric>(fixture);
-    return step *
-           fixture.elasticity().wave_speed(fixture.material.density) /
-           h;
+    const double step = formulation == Formulation::plane_strain ?
+                          largest_stable_step<PlaneStrain>(fixture) :
+                          largest_stable_step<Axisymmetric>(fixture);
+    return step * fixture.elasticity().wave_speed(fixture.material.density) / h;
   }
 } // namespace
 
@@ -86,9 +88,7 @@ TEST(CriticalTimeStep, GrowsWithTheInverseRootOfTheStiffness)
   const auto step = [](const double young_modulus) {
     StageFixture fixture;
     fixture.material.young_modulus = young_modulus;
-    return fixture.start(Rectangle().mesh())
-      .view()
-      .critical_time_step(true);
+    return fixture.start(Rectangle().mesh()).view().critical_time_step(true);
   };
   EXPECT_NEAR(step(1e6) / step(4e6), 2., 1e-8);
 }
@@ -118,9 +118,8 @@ TEST(CriticalTimeStep, DoesNotVanishNextToTheAxis)
             geometry.shape(cell->active_cell_index()).to_reference(location));
         }
   });
-  const double after = largest_stable_step<Axisymmetric>(fixture);
-  const double time_of_wave =
-    0.25 / fixture.elasticity().wave_speed(1500.);
+  const double after        = largest_stable_step<Axisymmetric>(fixture);
+  const double time_of_wave = 0.25 / fixture.elasticity().wave_speed(1500.);
   std::cout << "critical step C / h, as seeded " << before / time_of_wave
             << ", with particles next to the axis " << after / time_of_wave
             << std::endl;

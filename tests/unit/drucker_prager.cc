@@ -39,7 +39,7 @@ namespace
   void
   expect_near(const SymmetricComponents<4> &actual,
               const SymmetricComponents<4> &expected,
-              const double            scale)
+              const double                  scale)
   {
     for (int c = 0; c < 4; ++c)
       EXPECT_NEAR(actual[c] / scale, expected[c] / scale, 1e-14) << c;
@@ -62,7 +62,7 @@ TEST(DruckerPrager, KeepsAdmissibleStress)
   // p = 1000, s = (-200, 200, 0, 100): s:s = 80000 + 20000, q^2 = 150000;
   // q = 387 < 1250
   const SymmetricComponents<4> trial(-1200., -800., -1000., 100.);
-  const Projected        result = project(trial);
+  const Projected              result = project(trial);
   EXPECT_EQ(result.found, ReturnCase::elastic);
   EXPECT_EQ(result.stress, trial);
   EXPECT_EQ(result.dissipation, 0.);
@@ -74,9 +74,9 @@ TEST(DruckerPrager, ScalesTheDeviatorBack)
 {
   // p = 1000, s = (-1000, 1000, 0, 1000): s:s = 2e6 + 2e6, q^2 = 6e6;
   // the deviator shrinks by r = 1250 / sqrt(6e6)
-  const double           r = 1250. / std::sqrt(6e6);
+  const double                 r = 1250. / std::sqrt(6e6);
   const SymmetricComponents<4> trial(-2000., 0., -1000., 1000.);
-  const Projected        result = project(trial);
+  const Projected              result = project(trial);
   EXPECT_EQ(result.found, ReturnCase::yielding);
   expect_near(result.stress,
               {-1000. - 1000. * r, -1000. + 1000. * r, -1000., 1000. * r},
@@ -95,7 +95,8 @@ TEST(DruckerPrager, DropsStressOfSeparatedMaterial)
   // p = -100
   const Projected pulled = project({500., -300., 100., 40.});
   EXPECT_EQ(pulled.found, ReturnCase::separated);
-  EXPECT_EQ(pulled.stress, SymmetricComponents<4>(SymmetricComponents<4>::Zero()));
+  EXPECT_EQ(pulled.stress,
+            SymmetricComponents<4>(SymmetricComponents<4>::Zero()));
   EXPECT_EQ(pulled.dissipation, 0.);
   // p = 0 with shear is outside of the surface as well
   EXPECT_EQ(project({0., 0., 0., 1.}).found, ReturnCase::separated);
@@ -119,7 +120,8 @@ TEST(DruckerPrager, DerivativeAgreesWithDifferences)
       Eigen::Matrix4d  differences;
       for (int c = 0; c < 4; ++c)
         {
-          const SymmetricComponents<4> change = step * SymmetricComponents<4>::Unit(c);
+          const SymmetricComponents<4> change =
+            step * SymmetricComponents<4>::Unit(c);
           differences.col(c) =
             (project(trial + change).stress - project(trial - change).stress) /
             (2. * step);

@@ -1,8 +1,8 @@
 #include <deal.II/base/tensor.h>
 
-#include <sandglass/material/elasticity.h>
 #include <sandglass/continuum/green_naghdi.h>
 #include <sandglass/continuum/in_plane_increment.h>
+#include <sandglass/material/elasticity.h>
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ namespace
       deformation = after;
     }
 
-    Eigen::Matrix2d  deformation = Eigen::Matrix2d::Identity();
+    Eigen::Matrix2d        deformation = Eigen::Matrix2d::Identity();
     SymmetricComponents<4> stress      = SymmetricComponents<4>::Zero();
   };
 
@@ -130,7 +130,7 @@ TEST(GreenNaghdi, RigidTurnsCarryTheStressOfAStretchedBody)
       const SymmetricComponents<4> expected =
         rotate(start,
                InPlaneRotation<double>{std::cos(2. * step * angle),
-                                      std::sin(2. * step * angle)});
+                                       std::sin(2. * step * angle)});
       ASSERT_NEAR((point.stress - expected).norm() / start.norm(), 0., 1e-10)
         << "step " << step;
     }

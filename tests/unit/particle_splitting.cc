@@ -21,9 +21,10 @@ namespace
   class ParticleSplittingTest : public testing::Test
   {
   protected:
-    using Splitting     = ParticleSplitting<TypeParam>;
-    using Kinematics    = typename TypeParam::Kinematics;
-    using Configuration = InitialConfiguration<Kinematics, TypeParam::cell_type>;
+    using Splitting  = ParticleSplitting<TypeParam>;
+    using Kinematics = typename TypeParam::Kinematics;
+    using Configuration =
+      InitialConfiguration<Kinematics, TypeParam::cell_type>;
 
     ParticleSplittingTest()
     {
@@ -96,10 +97,10 @@ namespace
         const unsigned int before = blocks.n_particles();
         sums->cells.compute(blocks);
         make_splitting(true).split(blocks,
-                        *velocity,
-                        [&](const unsigned int cell) {
-                          sums->cells.compute(blocks, cell);
-                        });
+                                   *velocity,
+                                   [&](const unsigned int cell) {
+                                     sums->cells.compute(blocks, cell);
+                                   });
         n_more = blocks.n_particles() - before;
       });
       return n_more;
@@ -133,15 +134,15 @@ namespace
     std::unique_ptr<CellGeometry<TypeParam::cell_type>> geometry;
     std::unique_ptr<Configuration>                      initial_configuration;
     /// v^L
-    std::unique_ptr<NodalField<2>> velocity;
+    std::unique_ptr<NodalField<2>>        velocity;
     std::unique_ptr<NodalSums<TypeParam>> sums;
   };
 
-  using Settings =
-    testing::Types<Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
-                   Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
-                   Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
-                   Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
+  using Settings = testing::Types<
+    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
+    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
+    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
+    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
   TYPED_TEST_SUITE(ParticleSplittingTest, Settings);
 } // namespace
 
@@ -169,8 +170,8 @@ TYPED_TEST(ParticleSplittingTest, HalvesLieInTheCellAlongTheExtension)
   std::set<types::particle_index> ids;
   unsigned int                    n_pairs = 0;
   blocks.for_each([&](const ParticleSlot &slot) {
-    const auto   particle = blocks.parcel(slot);
-    const auto  &shape    = this->geometry->shape(slot.cell);
+    const auto  particle = blocks.parcel(slot);
+    const auto &shape    = this->geometry->shape(slot.cell);
     EXPECT_TRUE(ids.insert(particle.id).second);
     EXPECT_TRUE(
       CellGeometry<TypeParam::cell_type>::is_inside(particle.reference_point,
@@ -201,8 +202,8 @@ TYPED_TEST(ParticleSplittingTest, SumsStayThoseOfTheParticles)
 {
   this->enlarge(2.5);
   this->split();
-  const auto &blocks = this->fixture.stage->particles().blocks();
-  NodalSums<TypeParam>  anew(*this->geometry, 0., {});
+  const auto          &blocks = this->fixture.stage->particles().blocks();
+  NodalSums<TypeParam> anew(*this->geometry, 0., {});
   anew.cells.compute(blocks);
   for_each_filled_cell(blocks, [&](const unsigned int cell) {
     for (unsigned int i = 0; i < anew[cell].values.size(); ++i)
@@ -223,7 +224,7 @@ TYPED_TEST(ParticleSplittingTest, MuchTooLargeParticlesEndNearTheirShare)
   this->fixture.for_each_particle([&](auto id, const auto &, auto state) {
     const double share =
       state[StageLayout::mass] / (this->fixture.material.density *
-                               this->initial_configuration->volume(id));
+                                  this->initial_configuration->volume(id));
     ++n;
     n_large += share > 4.;
   });
@@ -252,8 +253,8 @@ TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
 // that it holds particles a hundredth as large, it is.
 TYPED_TEST(ParticleSplittingTest, IsNeededWhereCellsDifferInVolume)
 {
-  EXPECT_FALSE(needs_splitting(this->fixture.scene->mesh,
-                               *this->initial_configuration));
+  EXPECT_FALSE(
+    needs_splitting(this->fixture.scene->mesh, *this->initial_configuration));
 
   Mesh<2> mesh = this->fixture.scene->mesh;
   for (auto &vertex : mesh.vertices)

@@ -194,8 +194,8 @@ namespace
   double
   rotation_error(const double angle)
   {
-    const double           c = std::cos(angle), s = std::sin(angle);
-    const auto            &a = initial_stress;
+    const double                 c = std::cos(angle), s = std::sin(angle);
+    const auto                  &a = initial_stress;
     const SymmetricComponents<4> exact(
       c * c * a[0] + s * s * a[1] - 2. * c * s * a[3],
       s * s * a[0] + c * c * a[1] + 2. * c * s * a[3],
@@ -203,9 +203,7 @@ namespace
       c * s * (a[0] - a[1]) + (c * c - s * s) * a[3]);
     // soft, so that the error of the spin is seen beside that of the strain
     const Elasticity soft(1e4, 0.3);
-    return (trial_stress(soft, a, rotation(angle)) - exact)
-             .norm() /
-           a.norm();
+    return (trial_stress(soft, a, rotation(angle)) - exact).norm() / a.norm();
   }
 } // namespace
 
@@ -214,8 +212,7 @@ namespace
 TEST(IncrementalResponse, TranslationChangesNothing)
 {
   const Gradient5 H = Gradient5::Zero();
-  EXPECT_EQ(trial_stress(elasticity, initial_stress, H),
-            initial_stress);
+  EXPECT_EQ(trial_stress(elasticity, initial_stress, H), initial_stress);
   EXPECT_EQ(InPlaneResponse::volume_ratio(H), 1.);
   const Gradient5 P = InPlaneResponse::piola_stress(initial_stress, H);
   EXPECT_EQ(P, gradient(-5000., 700., 700., -9000., -6000.));

@@ -82,19 +82,20 @@ namespace
     {
       double largest = 0.;
       for (const auto &point : equilibrium.material_points())
-        largest = std::max(largest,
-                           (point.stress - expected).template lpNorm<Eigen::Infinity>());
+        largest = std::max(
+          largest,
+          (point.stress - expected).template lpNorm<Eigen::Infinity>());
       std::cout << "largest stress difference / stress "
                 << largest / expected.norm() << std::endl;
       EXPECT_LT(largest / expected.norm(), 1e-12);
     }
 
-    const Tensor<1, 2> gravity{{0., -9.81}};
-    Scene<2>              scene;
-    FilledGrid<2>         grid;
-    DruckerPrager      material;
+    const Tensor<1, 2>                             gravity{{0., -9.81}};
+    Scene<2>                                       scene;
+    FilledGrid<2>                                  grid;
+    DruckerPrager                                  material;
     MaterialEquilibrium<Kinematics, DruckerPrager> equilibrium;
-    FilledGrid<2>::Vector forces;
+    FilledGrid<2>::Vector                          forces;
   };
 
   Tensor<2, 2>
@@ -120,8 +121,7 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
   const auto first = patch.linear_field(L_1);
   patch.equilibrium.evaluate_forces(first, 0., patch.forces);
   const SymmetricComponents<4> elastic =
-    elasticity.stress(
-      SymmetricComponents<4>(-0.010, -0.014, 0., 0.003));
+    elasticity.stress(SymmetricComponents<4>(-0.010, -0.014, 0., 0.003));
   patch.expect_uniform_stress(elastic);
   EXPECT_LT(patch.largest_inner_force(), 1e-14);
 
@@ -130,8 +130,9 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
                                       L_2 * (L_1 + unit_symmetric_tensor<2>())),
                                     0.,
                                     patch.forces);
-  SymmetricComponents<4> plastic = elastic + jaumann_rotation(elastic, 0.002) +
-                             elasticity.stress(SymmetricComponents<4>(0.016, -0.020, 0., -0.001));
+  SymmetricComponents<4> plastic =
+    elastic + jaumann_rotation(elastic, 0.002) +
+    elasticity.stress(SymmetricComponents<4>(0.016, -0.020, 0., -0.001));
   const SymmetricComponents<4> trial = plastic;
   patch.material.project(plastic);
   ASSERT_EQ(case_of(trial, plastic), ReturnCase::yielding);
@@ -149,12 +150,13 @@ TEST_P(PatchTest, UniformStrainNeedsNoInnerForces)
 
 TEST_P(PatchTest, TranslationAndRotationNeedNoForces)
 {
-  Patch<PlaneStrain> patch(GetParam());
-  constexpr double   angle = 1e-6;
-  FilledGrid<2>::Vector field = patch.linear_field(tensor(std::cos(angle) - 1.,
-                                                       -std::sin(angle),
-                                                       std::sin(angle),
-                                                       std::cos(angle) - 1.));
+  Patch<PlaneStrain>    patch(GetParam());
+  constexpr double      angle = 1e-6;
+  FilledGrid<2>::Vector field =
+    patch.linear_field(tensor(std::cos(angle) - 1.,
+                              -std::sin(angle),
+                              std::sin(angle),
+                              std::cos(angle) - 1.));
   field.zero_out_ghost_values();
   field.add(0.3); // in both directions
   field.update_ghost_values();
@@ -187,7 +189,7 @@ TEST(AxisymmetricPatch, UniformStrainNeedsNoInnerForces)
   Patch<Axisymmetric> patch(CellType::triangle);
   const auto field = patch.linear_field(tensor(-0.010, 0., 0., -0.014));
   patch.equilibrium.evaluate_forces(field, 0., patch.forces);
-  patch.expect_uniform_stress(elasticity.stress(
-    SymmetricComponents<4>(-0.010, -0.014, -0.010, 0.)));
+  patch.expect_uniform_stress(
+    elasticity.stress(SymmetricComponents<4>(-0.010, -0.014, -0.010, 0.)));
   EXPECT_LT(patch.largest_inner_force(), 1e-13);
 }
