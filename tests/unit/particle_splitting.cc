@@ -280,6 +280,40 @@ TYPED_TEST(ParticleSplittingTest, IsNeededWhereCellsDifferInVolume)
 
 
 
+// Particles of large cells are put into small ones below them.
+TYPED_TEST(ParticleSplittingTest, TheStageSplitsWhereItIsNeededAndAllowed)
+{
+  auto      &fixture       = this->fixture;
+  const auto n_more_halves = [&](const double         height_of_lowest_row,
+                                 const SplitParticles when) {
+    Mesh<2> mesh = fixture.scene->mesh;
+    for (auto &vertex : mesh.vertices)
+      if (vertex[1] > 0. && vertex[1] < 0.3)
+        vertex[1] = height_of_lowest_row;
+    fixture.parameters.split_particles = when;
+    auto              &stage           = fixture.start(mesh);
+    const unsigned int before          = stage.view().n_particles();
+    stage.start_from(
+      [&](const unsigned int cell, const Point<2> &reference) {
+        const CellGeometry<TypeParam::cell_type> geometry(*fixture.scene);
+        InitialState<2> state{{}, SymmetricComponents<4>::Zero(), 0.99};
+        const double    y = geometry.shape(cell).to_real(reference)[1];
+        if (y > height_of_lowest_row && y < 0.5)
+          state.displacement[1] = 0.6 * height_of_lowest_row - y;
+        return state;
+      },
+      {});
+    for (unsigned int step = 0; step < 40; ++step)
+      stage.step();
+    return stage.view().n_particles() - before;
+  };
+  EXPECT_GT(n_more_halves(0.05, SplitParticles::where_needed), 20u);
+  EXPECT_EQ(n_more_halves(0.05, SplitParticles::never), 0u);
+  EXPECT_EQ(n_more_halves(0.25, SplitParticles::where_needed), 0u);
+}
+
+
+
 TYPED_TEST(ParticleSplittingTest, HalvesHaveIdsOfTheirOwn)
 {
   const auto n = this->fixture.stage->particles().blocks().n_particles();
