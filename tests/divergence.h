@@ -3,7 +3,7 @@
 
 #include <deal.II/base/point.h>
 
-#include <sandglass/base/setting.h>
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/continuum/symmetric_components.h>
 
 /**

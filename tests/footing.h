@@ -104,7 +104,8 @@ public:
     auto            &stage = *fixture.stage;
     while (stage.view().clock().time < loading_time + waiting_time)
       {
-        const double time_share = std::min(1., stage.view().clock().time / loading_time);
+        const double time_share =
+          std::min(1., stage.view().clock().time / loading_time);
         set_load(1. + time_share * share * (limit() - 1.));
         stage.step();
         if (stage.view().clock().step % 100 == 0 && settlement() > 0.01)

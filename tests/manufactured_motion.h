@@ -117,7 +117,7 @@ private:
   Sandglass::SymmetricComponents<4>
   piola_stress(const dealii::Point<2> &X, const double time) const
   {
-    namespace C                         = Sandglass::Component;
+    namespace C                               = Sandglass::Component;
     Sandglass::SymmetricComponents<4>       P = stress(X, time);
     const Sandglass::SymmetricComponents<4> H = gradient(X, time);
     const double fx = 1. + H[C::xx], fy = 1. + H[C::yy], fz = 1. + H[C::zz];
@@ -195,7 +195,8 @@ public:
       [this](const unsigned int, const dealii::Point<2> &) {
         return Sandglass::InitialState<2>{
           {}, SymmetricComponents<4>(isotropic<4>(-initial_pressure)), 1.};
-      });
+      },
+      {});
     change_velocities([&](const dealii::Point<2> &X) {
       return this->motion.velocity(X, -end / n_steps / 2.);
     });
@@ -244,11 +245,12 @@ private:
     MotionErrors result{};
     double       displacement_scale = 0., stress_scale = 0.;
     fixture.for_each_particle([&](auto id, const auto &position, auto state) {
-      const dealii::Point<2>     X     = fixture.stage->initial_position(id);
-      const double               m     = state[StageLayout::mass];
-      const dealii::Tensor<1, 2> u     = motion.displacement(X, time);
-      const SymmetricComponents<4>     exact = motion.stress(X, time);
-      SymmetricComponents<4> difference      = isotropic<4>(initial_pressure) - exact;
+      const dealii::Point<2>       X     = fixture.stage->initial_position(id);
+      const double                 m     = state[StageLayout::mass];
+      const dealii::Tensor<1, 2>   u     = motion.displacement(X, time);
+      const SymmetricComponents<4> exact = motion.stress(X, time);
+      SymmetricComponents<4>       difference =
+        isotropic<4>(initial_pressure) - exact;
       for (unsigned int c = 0; c < 4; ++c)
         difference[c] += state[StageLayout::stress + c];
       result.displacement += m * (position - X - u).norm_square();

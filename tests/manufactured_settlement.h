@@ -4,7 +4,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 
-#include <sandglass/base/setting.h>
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/material/elasticity.h>
 
 #include <cmath>

@@ -84,7 +84,7 @@ private:
   }
 
   void
-  add_cell(Sandglass::Mesh<2>                   &mesh,
+  add_cell(Sandglass::Mesh<2>                &mesh,
            const std::array<unsigned int, 4> &vertices,
            const unsigned int                 n) const
   {

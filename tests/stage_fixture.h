@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "rectangle_mesh.h"
+#include "wall_role.h"
 
 /// As in the parameter file.
 inline const char *
@@ -25,7 +26,7 @@ name_of(const Sandglass::ForceIntegration integration)
 /// What a particle carries with a law without state variables.
 using StageLayout = Sandglass::ParticleLayout<2, 4, 0>;
 
-/// Of this rank since the start, in J.
+/// Since the start, in J; on one rank.
 inline double
 plastic_work(const Sandglass::ParticleStage<StageLayout> &stage)
 {
@@ -33,11 +34,25 @@ plastic_work(const Sandglass::ParticleStage<StageLayout> &stage)
          stage.wall_contact().friction_dissipation();
 }
 
+/// All that has passed the outlet level, in kg.
+inline double
+discharged_mass(const Sandglass::FlowTotals &totals)
+{
+  return totals.mass_falling + totals.mass_removed;
+}
+
+/// All that there was at the start, in kg.
+inline double
+mass_of_all(const Sandglass::FlowTotals &totals)
+{
+  return totals.mass_in_silo + discharged_mass(totals) + totals.mass_lost;
+}
+
 /// Mean over some time of a wall's force on the material at one node.
 struct MeanWallForce
 {
   dealii::Point<2>     position;
-  Sandglass::WallId    wall;
+  Sandglass::WallId    wall;   ///< see is_role()
   dealii::Tensor<1, 2> normal; ///< outward from the material
   double               tributary_area;
   dealii::Tensor<1, 2> force; ///< in N
@@ -47,6 +62,13 @@ struct MeanWallForce
   normal_force() const
   {
     return -(force * normal);
+  }
+
+  /// Along wall_tangent(normal).
+  double
+  tangential_force() const
+  {
+    return force * Sandglass::wall_tangent(normal);
   }
 };
 
@@ -78,7 +100,7 @@ struct StageFixture
   unsigned int           particles_per_cell = 4;
   dealii::Tensor<1, 2>   gravity{{0., -9.81}};
 
-  std::unique_ptr<Sandglass::Scene<2>>         scene;
+  std::unique_ptr<Sandglass::Scene<2>> scene;
   std::unique_ptr<Stage>               stage;
 
   Stage &
@@ -88,10 +110,16 @@ struct StageFixture
     parameters.check();
     scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
-    auto flow = Sandglass::make_flow<2>(*scene, material, walls, parameters);
-    stage.reset(dynamic_cast<Stage *>(flow.release()));
+    stage.reset(&dynamic_cast<Stage &>(
+      *Sandglass::make_flow<2>(*scene, material, walls, parameters).release()));
     last_records = stage->view().wall_records();
     return *stage;
+  }
+
+  Sandglass::Elasticity
+  elasticity() const
+  {
+    return Sandglass::DruckerPrager(material).elasticity;
   }
 
   /// Give start() a fixed step in s instead of the automatic one.
@@ -115,22 +143,23 @@ struct StageFixture
                  scene->nodes->global_to_local(cell->vertex_dof_index(v, 0)));
   }
 
-  /// Make v^L that of a function of the position, in m/s.
+  /// A function of the position at the nodes.
   template <typename Function>
-  void
-  set_mapped_velocity(const Function &velocity)
+  Sandglass::NodalField<2>
+  at_nodes(const Function &function) const
   {
+    Sandglass::NodalField<2> field(*scene->nodes);
     for_each_node(
       [&](const dealii::Point<2> &position, const unsigned int node) {
-        const dealii::Tensor<1, 2> value = velocity(position);
+        const dealii::Tensor<1, 2> value = function(position);
         for (unsigned int d = 0; d < 2; ++d)
-          const_cast<double *>(
-            stage->nodal_fields().mapped_velocity.at(node))[d] = value[d];
+          field.at(node)[d] = value[d];
       });
+    return field;
   }
 
-  /// Call `function(id, position, properties)` for each particle; it may change
-  /// nothing.
+  /// Call `function(id, position, properties)` for each particle. It may change
+  /// nothing: the stage goes on with the sums that its steps have left.
   template <typename Function>
   void
   for_each_particle(const Function &function) const
@@ -138,13 +167,14 @@ struct StageFixture
     for (const auto &particle : stage->particles().handler())
       function(particle.get_id(),
                particle.get_location(),
-               particle.get_properties());
+               dealii::ArrayView<const double>(particle.get_properties()));
   }
 
-  /// The same for a function that changes properties.
+  /// The same for a function that changes properties, after which the stage
+  /// sums over all particles anew.
   template <typename Function>
   void
-  change_particles(const Function &function) const
+  change_particles(const Function &function)
   {
     stage->edit_particles([&](auto &handler) {
       for (auto &particle : handler)

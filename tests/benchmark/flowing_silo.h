@@ -2,6 +2,7 @@
 #define sandglass_tests_benchmark_flowing_silo_h
 
 #include <sandglass/flow/particle_in_cell/cell_kernel.h>
+#include <sandglass/flow/particle_in_cell/setting.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include "stage_fixture.h"
@@ -31,7 +32,7 @@ struct FlowingSilo : StageFixture
                        const Method       method = Method::paper)
   {
     Sandglass::SceneParameters silo;
-    silo.formulation  = Setting::formulation;
+    silo.formulation  = Setting::Kinematics::formulation;
     silo.cell_type    = Setting::cell_type;
     silo.element_size = 0.025 / refinement;
     formulation       = silo.formulation;
@@ -46,12 +47,13 @@ struct FlowingSilo : StageFixture
         parameters.split_particles   = Sandglass::SplitParticles::never;
         walls.outlet_lip = Sandglass::WallParameters::OutletLip::floor;
       }
-    start(make_mesh(silo, MPI_COMM_WORLD));
+    start(Sandglass::make_mesh<2>(silo, MPI_COMM_WORLD));
     geometry = std::make_unique<Geometry>(*scene);
     stage->start_from(
       [this](const unsigned int cell, const Point &reference_point) {
         return state_at_rest(geometry->shape(cell).to_real(reference_point)[1]);
-      });
+      },
+      {});
   }
 
   /// Take over the velocity of the flow on a coarser mesh.
@@ -72,8 +74,7 @@ struct FlowingSilo : StageFixture
               Sandglass::components_of<2>(place.reference_point)));
           std::copy(velocity.begin(),
                     velocity.end(),
-                    particle.get_properties().begin() +
-                      StageLayout::velocity);
+                    particle.get_properties().begin() + StageLayout::velocity);
         }
     });
   }

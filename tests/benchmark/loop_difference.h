@@ -9,7 +9,7 @@
 
 /// Of all particles, in J.
 inline double
-kinetic_energy(const Sandglass::ParticleCloud::Handler &particles)
+kinetic_energy(const dealii::Particles::ParticleHandler<2> &particles)
 {
   double energy = 0.;
   for (const auto &particle : particles)
@@ -28,7 +28,7 @@ template <typename Setting>
 double
 loop_difference(const FlowingSilo<Setting> &silo, PlainLoop<Setting> &plain)
 {
-  namespace NodalSum = Sandglass::NodalSum;
+  using NodalSum = Sandglass::NodalSum<2>;
 
   plain.sum_at_nodes();
   const double energy = kinetic_energy(silo.stage->particles().handler());

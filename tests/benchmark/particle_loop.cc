@@ -97,8 +97,8 @@ namespace
   BytesMoved
   bytes_moved(const FlowingSilo<Setting> &silo)
   {
-    const Sandglass::ParticleBlocks<StageLayout> &blocks  = silo.stage->particles().blocks();
-    unsigned int          n_cells = 0, n_blocks = 0;
+    const auto  &blocks  = silo.stage->particles().blocks();
+    unsigned int n_cells = 0, n_blocks = 0;
     for_each_filled_cell(blocks, [&](const unsigned int cell) {
       ++n_cells;
       blocks.for_each_block_in_cell(cell, [&](unsigned int) { ++n_blocks; });
@@ -108,10 +108,11 @@ namespace
     const double cell = sizeof(Shape) + 2 * Shape::n_nodes * sizeof(int);
     const double sums = sizeof(CellSums<Setting, double>);
     const double n    = silo.n_particles();
-    return {
-      (n_blocks * 2. * sizeof(ParticleBlock) + n_cells * (cell + 2 * sums)) / n,
-      n_cells * (cell + sums) / n,
-      n / (Lanes::n * n_blocks)};
+    return {(n_blocks * 2. * sizeof(ParticleBlock<StageLayout>) +
+             n_cells * (cell + 2 * sums)) /
+              n,
+            n_cells * (cell + sums) / n,
+            n / (Lanes::n * n_blocks)};
   }
 
 
@@ -161,8 +162,9 @@ namespace
       {
         const unsigned long before = silo.stage->view().totals().particle_steps;
         times.push_back(measure(silo, n_steps));
-        const double n_particle_steps = silo.stage->view().totals().particle_steps - before;
-        const double plain_time       = measure([&]() { run_plain(n_steps); });
+        const double n_particle_steps =
+          silo.stage->view().totals().particle_steps - before;
+        const double plain_time = measure([&]() { run_plain(n_steps); });
         ratios.push_back(plain_time / n_particle_steps / times.back());
         state.SetIterationTime(1e-9 * times.back());
       }
@@ -259,7 +261,8 @@ namespace
     const unsigned long before = stage.view().totals().particle_steps;
     for (auto _ : state)
       state.SetIterationTime(1e-9 * measure([&]() { silo->run(n_steps); }));
-    const double n_particle_steps = stage.view().totals().particle_steps - before;
+    const double n_particle_steps =
+      stage.view().totals().particle_steps - before;
 
     for (unsigned int part = 0; part < times.sums.size(); ++part)
       state.counters[std::string("ns_of_") + step_part_names[part]] =
@@ -292,11 +295,11 @@ namespace
 
 
 
-  template <Formulation formulation, CellType cell_type>
+  template <typename Kinematics, CellType cell_type>
   void
   add_benchmarks(const std::string &name)
   {
-    using Choice                   = Setting<formulation, cell_type>;
+    using Choice = Setting<Kinematics, cell_type, DruckerPrager>;
     constexpr unsigned int n_pairs = 15;
     benchmark::RegisterBenchmark(("beside_plain_loop/" + name).c_str(),
                                  beside_plain_loop<Choice>)
@@ -333,13 +336,10 @@ main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  add_benchmarks<Formulation::plane_strain, CellType::triangle>(
-    "plane/triangles");
-  add_benchmarks<Formulation::plane_strain, CellType::quadrilateral>(
-    "plane/quadrilaterals");
-  add_benchmarks<Formulation::axisymmetric, CellType::triangle>(
-    "axisymmetric/triangles");
-  add_benchmarks<Formulation::axisymmetric, CellType::quadrilateral>(
+  add_benchmarks<PlaneStrain, CellType::triangle>("plane/triangles");
+  add_benchmarks<PlaneStrain, CellType::quadrilateral>("plane/quadrilaterals");
+  add_benchmarks<Axisymmetric, CellType::triangle>("axisymmetric/triangles");
+  add_benchmarks<Axisymmetric, CellType::quadrilateral>(
     "axisymmetric/quadrilaterals");
   benchmark::RegisterBenchmark("limits/memory_bandwidth",
                                MachineLimits::memory_bandwidth);

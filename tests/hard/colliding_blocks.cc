@@ -65,7 +65,8 @@ namespace
       fixture.for_each_particle([&](auto id, const auto &position, auto state) {
         Block &block = result[is_left(id) ? 0 : 1];
         block.mass += state[StageLayout::mass];
-        block.momentum += state[StageLayout::mass] * state[StageLayout::velocity];
+        block.momentum +=
+          state[StageLayout::mass] * state[StageLayout::velocity];
         block.first = std::min(block.first, position[0]);
         block.last  = std::max(block.last, position[0]);
       });

@@ -53,8 +53,9 @@ namespace
     {
       double sum = 0.;
       fixture.for_each_particle([&sum](auto, const auto &x, auto state) {
-        sum += state[StageLayout::mass] * (x[0] * state[StageLayout::velocity + 1] -
-                                        x[1] * state[StageLayout::velocity]);
+        sum +=
+          state[StageLayout::mass] * (x[0] * state[StageLayout::velocity + 1] -
+                                      x[1] * state[StageLayout::velocity]);
       });
       return sum;
     }
@@ -110,7 +111,7 @@ namespace
       fixture.gravity                = {};
       fixture.walls.normal_condition =
         WallParameters::NormalCondition::acceleration;
-      const double wave_speed = Sandglass::DruckerPrager(fixture.material).elasticity.wave_speed(
+      const double wave_speed = fixture.elasticity().wave_speed(
         fixture.material.density / volume_ratio);
       period = 2. * n_elements * h / wave_speed;
       fixture.set_time_step(relative_time_step * h / wave_speed);
@@ -125,10 +126,11 @@ namespace
       fixture.start(rectangle.mesh());
       fixture.stage->start_from(
         [](const unsigned int, const Point<2> &) {
-          Sandglass::InitialState<2> state{{}, {}, volume_ratio};
+          InitialState<2> state{{}, {}, volume_ratio};
           state.stress << -50., -50., -50., 0.; // Pa
           return state;
-        });
+        },
+        {});
       fixture.change_particles([&](auto, const auto &x, auto state) {
         state[StageLayout::velocity] = 1e-6 * wave_speed * mode(x[0]);
       });
@@ -145,7 +147,8 @@ namespace
           fixture.stage->step();
           double energy = 0.;
           fixture.for_each_particle([&energy](auto, auto &, auto state) {
-            energy += 0.5 * state[StageLayout::mass] * state[StageLayout::velocity] *
+            energy += 0.5 * state[StageLayout::mass] *
+                      state[StageLayout::velocity] *
                       state[StageLayout::velocity];
           });
           largest = std::max(largest, energy);

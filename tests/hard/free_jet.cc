@@ -30,7 +30,7 @@ namespace
       silo.fall_region_depth = 0.6;
       silo.element_size      = h;
       silo.cell_type         = GetParam();
-      fixture.start(mesh_silo(silo));
+      fixture.start(mesh_silo<2>(silo));
       start_from_rest(fixture);
     }
 
@@ -69,9 +69,9 @@ namespace
             jet.mass += mass;
             jet.stressed_mass += stress.norm() > 0. ? mass : 0.;
             jet.stress += mass * stress.norm() / scale;
-            jet.acceleration += mass *
-                                (old->second - state[StageLayout::velocity + 1]) /
-                                fixture.stage->view().clock().time_step / g;
+            jet.acceleration +=
+              mass * (old->second - state[StageLayout::velocity + 1]) /
+              fixture.stage->view().clock().time_step / g;
           });
         }
       jet.acceleration /= jet.mass;
@@ -128,7 +128,7 @@ TEST_P(FreeJet, ContentOfASmoothTubeFallsFreely)
   tube.lower     = Point<2>(0., -24. * h);
   tube.upper     = Point<2>(6. * h, 12. * h);
   tube.is_filled = [](const Point<2> &center) { return center[1] > 0.; };
-  Mesh<2> mesh      = tube.mesh();
+  Mesh<2> mesh   = tube.mesh();
   for (unsigned int i = 0, first = 24 * (tube.n_x + 1); i < tube.n_x; ++i)
     mesh.faces.push_back({{{first + i, first + i + 1}}, BoundaryRole::outlet});
 

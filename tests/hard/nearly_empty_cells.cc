@@ -47,11 +47,13 @@ namespace
       const double way = 6 * h - last + excess * h;
       fixture.stage->start_from(
         [&](const unsigned int, const Point<2> &) {
-          Sandglass::InitialState<2> state{
-            Tensor<1, 2>({way, is_diagonal ? way : 0.}), {}, 0.99};
+          InitialState<2> state{Tensor<1, 2>({way, is_diagonal ? way : 0.}),
+                                {},
+                                0.99};
           state.stress << -pressure, -pressure, -pressure, 0.;
           return state;
-        });
+        },
+        {});
     }
 
     /// Largest acceleration of a particle in the next steps, over that of a
@@ -59,7 +61,8 @@ namespace
     double
     largest_acceleration(const unsigned int n_steps)
     {
-      const std::size_t n = fixture.stage->particles().n_locally_owned_particles();
+      const std::size_t n =
+        fixture.stage->particles().n_locally_owned_particles();
       std::vector<Tensor<1, 2>> before(16 * n), after(16 * n);
       double                    largest = 0.;
       collect(before);

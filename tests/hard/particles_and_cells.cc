@@ -28,8 +28,8 @@ namespace
     bool
     touches_axis(const unsigned int cell) const
     {
-      const Mesh<2>  &mesh = silo.fixture.scene->mesh;
-      unsigned int n    = 0;
+      const Mesh<2> &mesh = silo.fixture.scene->mesh;
+      unsigned int   n    = 0;
       for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
         if (mesh.vertices[mesh.cells[cell].vertices[v]][0] < 1e-9)
           ++n;
@@ -66,12 +66,13 @@ TEST_P(ParticlesAndCells, AtTheAxisOfRevolution)
       std::map<unsigned, int> n_moved;
       silo.fixture.stage->start_from(
         [&](const unsigned int cell, const Point<2> &reference) {
-          Sandglass::InitialState<2> state{{}, SymmetricComponents<4>::Zero(), 1.};
-          const double                x = radius_of(cell, reference);
+          InitialState<2> state{{}, SymmetricComponents<4>::Zero(), 1.};
+          const double    x = radius_of(cell, reference);
           if (touches_axis(cell) && x < 0.3 * h && n_moved[cell]++ == 0)
             state.displacement[0] = radius * h - x;
           return state;
-        });
+        },
+        {});
       std::cout << "radius / cell " << radius << ": ";
       expect_sound_flow_until(0.4, 0.02);
     }
@@ -104,7 +105,7 @@ TEST_P(ParticlesAndCells, CellsOfExtremeAspectRatio)
     {
       if (factor > 1. && GetParam() == CellType::triangle)
         continue;
-      Mesh<2> mesh = mesh_silo(silo.scene);
+      Mesh<2> mesh = mesh_silo<2>(silo.scene);
       for (auto &vertex : mesh.vertices)
         vertex[0] *= factor;
       silo.start(mesh);

@@ -33,7 +33,8 @@ namespace
               {
                 ++n_cells;
                 n_holes += silo.fixture.stage->particles().blocks().first_block(
-                             cell->active_cell_index()) == Sandglass::ParticleBlocks<StageLayout>::none;
+                             cell->active_cell_index()) ==
+                           Sandglass::ParticleBlocks<StageLayout>::none;
               }
         }
       const double share = static_cast<double>(n_holes) / n_cells;

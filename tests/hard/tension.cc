@@ -25,16 +25,16 @@ TEST(Tension, StressReturnsToTheConeOrItsApex)
       const DruckerPrager law(Elasticity(1e6, 0.3), friction_angle);
       for (unsigned int i = 0; i < 100000; ++i)
         {
-          const double     size = std::pow(10., exponent(engine));
+          const double           size = std::pow(10., exponent(engine));
           SymmetricComponents<4> stress;
           for (unsigned int c = 0; c < 4; ++c)
             stress[c] = size * component(engine);
           if (i % 4 == 0) // nearly on the plane p = 0
-            stress = deviator(stress) - 1e-16 * size * component(engine) *
-                                          SymmetricComponents<4>(1., 1., 1., 0.);
-          const auto   found       = law.classify(stress);
+            stress =
+              deviator(stress) - 1e-16 * size * component(engine) *
+                                   SymmetricComponents<4>(1., 1., 1., 0.);
           const double dissipation = law.project(stress);
-          n_separated += found == DruckerPrager::Case::separated ? 1 : 0;
+          n_separated += stress.isZero(0.) ? 1 : 0;
           ASSERT_TRUE(stress.allFinite());
           ASSERT_GE(dissipation, 0.);
           ASSERT_GE(pressure(stress), 0.);
@@ -92,7 +92,8 @@ TEST_P(PulledBlock, HasNoStressUntilItIsCompactedAgain)
           &state[StageLayout::stress]);
         if (state[StageLayout::density] < 1500.)
           largest_loose = std::max(largest_loose, stress.norm());
-        smallest_density = std::min(smallest_density, state[StageLayout::density]);
+        smallest_density =
+          std::min(smallest_density, state[StageLayout::density]);
         largest_pressure = std::max(largest_pressure, pressure(stress));
       });
     }

@@ -1,3 +1,6 @@
+#include <sandglass/continuum/plane_strain.h>
+#include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +25,7 @@ namespace
     silo.fall_region_depth = 0.2;
     silo.element_size      = element_size;
     silo.cell_type         = cell_type;
-    return make_mesh(silo, MPI_COMM_WORLD);
+    return make_mesh<2>(silo, MPI_COMM_WORLD);
   }
 
 
@@ -80,7 +83,7 @@ namespace
       : scene(mesh, Formulation::plane_strain, 4, gravity, MPI_COMM_WORLD)
       , grid(scene)
       , material(Elasticity(1e6, 0.3), 0.5)
-      , equilibrium(grid, Formulation::plane_strain, material, 1500., gravity)
+      , equilibrium(grid, material, 1500., gravity)
       , contact(grid,
                 Formulation::plane_strain,
                 fixture.walls,
@@ -123,11 +126,11 @@ namespace
 
     const Tensor<1, 2> gravity{{0., -9.81}};
     StaticFixture      fixture; // for the walls' parameters
-    Scene<2>              scene;
-    FilledGrid<2>         grid;
+    Scene<2>           scene;
+    FilledGrid<2>      grid;
     DruckerPrager      material;
-    Equilibrium<2>        equilibrium;
-    WallContact<2>        contact;
+    MaterialEquilibrium<PlaneStrain, DruckerPrager> equilibrium;
+    WallContact<2>                                  contact;
   };
 
   class StaticRanks : public testing::TestWithParam<CellType>
@@ -140,13 +143,13 @@ namespace
 // several ranks.
 TEST_P(StaticRanks, TangentIsTheDerivativeOfTheResidual)
 {
-  Tangent                  tangent(hopper_mesh(GetParam(), 0.05));
+  Tangent                     tangent(hopper_mesh(GetParam(), 0.05));
   const FilledGrid<2>::Vector u         = tangent.field(0.02, 1e-4);
   const FilledGrid<2>::Vector direction = tangent.field(0.3, 0.2);
 
   // Central differences: with a step of 1e-7 the error of the second order is
   // 1e-10 or so, that of rounding 1e-8.
-  constexpr double   step  = 1e-7;
+  constexpr double      step  = 1e-7;
   FilledGrid<2>::Vector moved = u;
   moved.zero_out_ghost_values();
   moved.add(step, direction);
@@ -208,7 +211,7 @@ TEST_P(StaticRanks, StateIsThatOfOneRank)
 
 TEST_P(StaticRanks, MultigridFindsWhatTheDirectSolverFinds)
 {
-  const Mesh<2>    mesh = fine_mesh(GetParam());
+  const Mesh<2> mesh = fine_mesh(GetParam());
   StaticFixture direct, multigrid;
   multigrid.parameters.most_direct_unknowns = 0;
   direct.run(mesh);

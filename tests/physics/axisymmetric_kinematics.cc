@@ -35,7 +35,9 @@ namespace
       };
       fixture.start(rectangle.mesh());
       fixture.change_particles([](auto, auto &, auto state) {
-        std::copy_n(stress_before.data(), 4, state.begin() + StageLayout::stress);
+        std::copy_n(stress_before.data(),
+                    4,
+                    state.begin() + StageLayout::stress);
       });
     }
 
@@ -45,9 +47,9 @@ namespace
     move_to_axis(const double distance)
     {
       const CellGeometry<cell_type> geometry(*fixture.scene);
-      auto                         &cloud = fixture.stage->particles();
-      cloud.edit([&](auto &handler) {
-        for (const auto &cell : cloud.owned_cells())
+      auto                         &stage = *fixture.stage;
+      stage.edit_particles([&](auto &handler) {
+        for (const auto &cell : stage.particles().owned_cells())
           for (const unsigned int face : cell->face_indices())
             if (cell->at_boundary(face) && cell->face(face)->boundary_id() ==
                                              boundary_id(BoundaryRole::axis))
@@ -66,30 +68,35 @@ namespace
     void
     set_velocity_and_move()
     {
-      fixture.set_mapped_velocity([](const Point<2> &position) {
-        return Tensor<1, 2>({a * position[0], b * position[1]});
-      });
-      const auto &velocity = fixture.stage->nodal_fields().mapped_velocity;
+      const NodalField<2> velocity =
+        fixture.at_nodes([](const Point<2> &position) {
+          return Tensor<1, 2>({a * position[0], b * position[1]});
+        });
       // The average of a uniform rate is that rate.
-      const CellGeometry<cell_type>            geometry(*fixture.scene);
-      VolumetricAverage<CellSetting>           average(*fixture.scene->nodes,
+      const CellGeometry<cell_type>     geometry(*fixture.scene);
+      VolumetricAverage<CellSetting>    average(*fixture.scene->nodes,
                                              geometry,
                                              0.,
                                              true);
-      const StressUpdate<DensityUpdate::paper> update(
-        fixture.DruckerPrager(material), fixture.material.density);
-      NodalSums<CellSetting> sums(geometry, 0., {});
+      const StressUpdate<DruckerPrager> update(DruckerPrager(fixture.material),
+                                               fixture.material.density,
+                                               DensityUpdate::paper);
+      NodalSums<CellSetting>            sums(geometry, 0., {});
       average.cells->compute(fixture.stage->particles().blocks());
       average.compute(fixture.stage->particles().blocks(), sums, velocity);
-      Strays strays;
-      ParticlePass<CellSetting, DensityUpdate::paper, true>(
-        geometry, update, StressIntegration::start_of_step, time_step)
-        .run(fixture.stage->cloud.change_blocks(),
-             fixture.stage->nodal_fields().acceleration, // none yet
-             velocity,
-             sums,
-             average,
-             strays);
+      Strays<StageLayout> strays;
+      fixture.stage->edit_blocks([&](auto &blocks) {
+        ParticlePass<CellSetting, true>(geometry,
+                                        update,
+                                        StressIntegration::start_of_step,
+                                        time_step)
+          .run(blocks,
+               fixture.stage->nodal_fields().acceleration, // none yet
+               velocity,
+               sums,
+               average,
+               strays);
+      });
     }
 
     /**
@@ -100,10 +107,10 @@ namespace
     void
     expect_exact_rates(const double distance) const
     {
-      const Elasticity       elasticity = Sandglass::DruckerPrager(fixture.material).elasticity;
+      const Elasticity             elasticity = fixture.elasticity();
       const SymmetricComponents<4> rates(a, b, a, 0.);
       const SymmetricComponents<4> change =
-        elasticity.stress<double>(time_step * rates);
+        elasticity.stress(SymmetricComponents<4>(time_step * rates));
       const double ratio =
         (1. + time_step * a) * (1. + time_step * b) * (1. + time_step * a);
       const double bound = 1e-11 + 1e-14 / distance;
@@ -168,7 +175,9 @@ TYPED_TEST(AxisymmetricKinematics, RatesAreThoseNextToTheAxisToo)
     {
       this->move_to_axis(distance);
       this->fixture.change_particles([](auto, auto &, auto state) {
-        std::copy_n(stress_before.data(), 4, state.begin() + StageLayout::stress);
+        std::copy_n(stress_before.data(),
+                    4,
+                    state.begin() + StageLayout::stress);
         state[StageLayout::density] = 1500.;
       });
       this->set_velocity_and_move();

@@ -42,8 +42,8 @@ namespace
       fixture.gravity                      = {};
       fixture.walls.normal_condition =
         WallParameters::NormalCondition::acceleration;
-      wave_speed = Sandglass::DruckerPrager(fixture.material).elasticity.wave_speed(
-        fixture.material.density / volume_ratio);
+      wave_speed = fixture.elasticity().wave_speed(fixture.material.density /
+                                                   volume_ratio);
       fixture.set_time_step(relative_time_step * h / wave_speed);
 
       Rectangle rectangle;
@@ -96,12 +96,13 @@ namespace
           const bool   is_left = center < length / 2.;
           const double position =
             is_left == (reference[0] < 0.5) ? positions[0] : positions[1];
-          Sandglass::InitialState<2> state{{}, {}, volume_ratio};
+          InitialState<2> state{{}, {}, volume_ratio};
           state.displacement[0] =
             h * ((is_left ? position : 1. - position) - reference[0]);
           state.stress << -50., -50., -50., 0.; // Pa
           return state;
-        });
+        },
+        {});
     }
   };
 
@@ -169,8 +170,8 @@ TEST_P(BarStability, EndsAtThePredictedStep)
   EXPECT_TRUE(is_unstable(GetParam(), 1.01 * critical));
 
   Bar bar(2, GetParam().positions, GetParam().consistent_mass_share, critical);
-  EXPECT_NEAR(bar.fixture.stage->view().critical_time_step(true) * bar.wave_speed / h /
-                critical,
+  EXPECT_NEAR(bar.fixture.stage->view().critical_time_step(true) *
+                bar.wave_speed / h / critical,
               1.,
               0.02);
 }
@@ -213,8 +214,8 @@ namespace
         if (before * now <= 0.)
           {
             ++n_zero;
-            time = stage.view().clock().time +
-                   stage.view().clock().time_step * (now / (before - now) - 0.5);
+            time = stage.view().clock().time + stage.view().clock().time_step *
+                                                 (now / (before - now) - 0.5);
           }
         before = now;
       }

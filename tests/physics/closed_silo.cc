@@ -24,7 +24,7 @@ namespace
       scene_parameters.cell_type      = cell_type;
       scene_parameters.outlet_is_open = false;
       fixture.parameters.end_time     = 2.;
-      fixture.start(mesh_silo(scene_parameters));
+      fixture.start(mesh_silo<2>(scene_parameters));
 
       start_from_rest(fixture);
     }
@@ -40,10 +40,11 @@ namespace
         const double y = fixture.stage->initial_position(id)[1];
         const auto   band =
           std::min<unsigned int>(n_bands * y / top, n_bands - 1);
-        const double volume = state[StageLayout::mass] / state[StageLayout::density];
+        const double volume =
+          state[StageLayout::mass] / state[StageLayout::density];
         volumes[band] += volume;
-        sums[band] +=
-          volume * Eigen::Map<const SymmetricComponents<4>>(&state[StageLayout::stress]);
+        sums[band] += volume * Eigen::Map<const SymmetricComponents<4>>(
+                                 &state[StageLayout::stress]);
       });
       for (unsigned int band = 0; band < n_bands; ++band)
         sums[band] /= volumes[band];

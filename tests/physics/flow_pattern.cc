@@ -34,7 +34,10 @@ namespace
     auto &stage = fixture.start(rectangle.mesh());
     while (stage.view().clock().time < 0.3)
       stage.step();
-    return {stage, stagnant_displacement};
+    return {stage.view(),
+            stagnant_displacement,
+            fixture.scene->symmetry_factor,
+            MPI_COMM_WORLD};
   }
 } // namespace
 

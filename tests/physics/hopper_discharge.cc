@@ -45,7 +45,7 @@ namespace
       silo.cell_type              = cell_type;
       fixture.formulation         = hopper.formulation;
       fixture.parameters.end_time = 3.;
-      fixture.start(mesh_silo(silo));
+      fixture.start(mesh_silo<2>(silo));
       transition = Point<2>(hopper.half_width, hopper.hopper_height);
       for (const auto &node : find_boundary_nodes(fixture.scene->dof_handler,
                                                   hopper.formulation,
@@ -80,9 +80,9 @@ namespace
       return largest;
     }
 
-    StageFixture fixture;
+    StageFixture    fixture;
     BoundaryNode<2> corner;
-    Point<2>     transition;
+    Point<2>        transition;
   };
 } // namespace
 
@@ -131,8 +131,8 @@ TEST_P(HopperTest, DischargesWithoutLosingAParticle)
   std::cout << "discharged / initial mass            " << discharged / initial
             << "\nerror of the mass balance            " << balance
             << "\nv^L into the corner / sqrt(2 g e)    " << largest_into_wall
-            << "\nsteps                                " << stage.view().clock().step
-            << std::endl;
+            << "\nsteps                                "
+            << stage.view().clock().step << std::endl;
   EXPECT_EQ(lost, 0.);
   EXPECT_NEAR(balance, 0., 1e-12);
   EXPECT_GT(discharged / initial, 0.3);

@@ -73,7 +73,7 @@ TEST_P(JanssenTest, WallPressure)
   for (const WallForce<2> &node : fixture.state.wall_forces)
     {
       const double y = node.position[1];
-      if (node.role != BoundaryRole::wall || y < lower_end || y >= upper_end)
+      if (!is_role(node, BoundaryRole::wall) || y < lower_end || y >= upper_end)
         continue;
       const auto   band = static_cast<unsigned int>(n_bands * (y - lower_end) /
                                                   (upper_end - lower_end));

@@ -58,7 +58,7 @@ TEST_P(SiloTest, FrictionStaysWithinCoulombsLaw)
       n_sliding += std::abs(force.tangential_force) > (1. - 1e-9) * limit &&
                    force.normal_force > 0.;
       // settling material is held back
-      if (force.role == BoundaryRole::wall)
+      if (is_role(force, BoundaryRole::wall))
         {
           EXPECT_GE(force.tangential_force / scale, -1e-12);
         }
@@ -70,7 +70,7 @@ TEST_P(SiloTest, FrictionStaysWithinCoulombsLaw)
 
 TEST_P(SiloTest, StressIsAdmissible)
 {
-  const DruckerPrager law   = fixture.DruckerPrager(material);
+  const DruckerPrager law   = DruckerPrager(fixture.material);
   const double        scale = 1500. * 9.81 * fixture.silo.fill_height();
   fixture.for_each_cell([&](const auto &, const auto &cell_state) {
     for (unsigned int q = 0; q < fixture.n_points(); ++q)
@@ -123,7 +123,7 @@ namespace
     Rectangle rectangle;
     rectangle.cell_type = CellType::quadrilateral;
     rectangle.is_filled = [](const Point<2> &p) { return p[1] > 0.5; };
-    Mesh<2> mesh           = rectangle.mesh();
+    Mesh<2> mesh        = rectangle.mesh();
     for (auto &cell : mesh.cells)
       if (turns_empty_cells && !cell.is_filled)
         std::rotate(cell.vertices.begin(),
@@ -166,7 +166,7 @@ namespace
 // The stage works on a grid of its own. Empty cells that are given the other
 // way round make deal.II turn the Scene's filled cells, but not those of that
 // grid.
-TEST(StaticStage<2>, ReturnsResultsInTheOrderOfTheScenesCells)
+TEST(StaticStage, ReturnsResultsInTheOrderOfTheScenesCells)
 {
   const auto [settlement, pressures]               = results_by_place(false);
   const auto [turned_settlement, turned_pressures] = results_by_place(true);
@@ -182,7 +182,7 @@ TEST(StaticStage<2>, ReturnsResultsInTheOrderOfTheScenesCells)
 
 // Where Newton is given too few iterations, the load step is cut, and in the
 // end the user is told where it stopped.
-TEST(StaticStage<2>, SaysWhereItStopped)
+TEST(StaticStage, SaysWhereItStopped)
 {
   StaticFixture fixture;
   fixture.silo.element_size             = 0.2;

@@ -81,7 +81,7 @@ namespace
         EXPECT_EQ(geometry.find(point, cell).cell, cell) << point;
     }
 
-    const Scene<2>    scene;
+    const Scene<2> scene;
     const Geometry geometry;
   };
 

@@ -19,7 +19,8 @@ namespace
     {
       for (unsigned int v = 0; v < n_dofs / 2; ++v)
         at_start.set_node(v,
-                          {uniform(engine), uniform(engine)},
+                          std::array<double, 2>{
+                            {uniform(engine), uniform(engine)}},
                           has_hoop ? 1. + uniform(engine) : 0.);
       H = 0.1 * random<5, 1>();
       if (!has_hoop)
@@ -40,7 +41,7 @@ namespace
     std::mt19937                           engine = random_engine();
     std::uniform_real_distribution<double> uniform{-1., 1.};
     Gradient5                              H;
-    InPlaneGradientOperator                       at_start, moved;
+    InPlaneGradientOperator                at_start, moved;
     /// Displacement increments of the nodes, random as well.
     Eigen::Matrix<double, n_dofs, 1> u;
   };

@@ -1,8 +1,8 @@
 #include <deal.II/base/tensor.h>
 
-#include <sandglass/material/elasticity.h>
 #include <sandglass/continuum/green_naghdi.h>
 #include <sandglass/continuum/in_plane_increment.h>
+#include <sandglass/material/elasticity.h>
 
 #include <gtest/gtest.h>
 
@@ -35,13 +35,13 @@ namespace
       Tensor<2, 2> middle = 0.5 * gradient;
       middle[0][0] += 1.;
       middle[1][1] += 1.;
-      const InPlaneIncrement strain(gradient * invert(middle), 0.);
+      const InPlaneIncrement<double> strain(gradient * invert(middle), 0.);
       stress = rotate(stress, rotation.step) +
                rotate(elasticity.stress(strain.strain), rotation.half);
       deformation = after;
     }
 
-    Eigen::Matrix2d  deformation = Eigen::Matrix2d::Identity();
+    Eigen::Matrix2d        deformation = Eigen::Matrix2d::Identity();
     SymmetricComponents<4> stress      = SymmetricComponents<4>::Zero();
   };
 
@@ -130,7 +130,7 @@ TEST(GreenNaghdi, RigidTurnsCarryTheStressOfAStretchedBody)
       const SymmetricComponents<4> expected =
         rotate(start,
                InPlaneRotation<double>{std::cos(2. * step * angle),
-                                      std::sin(2. * step * angle)});
+                                       std::sin(2. * step * angle)});
       ASSERT_NEAR((point.stress - expected).norm() / start.norm(), 0., 1e-10)
         << "step " << step;
     }

@@ -1,7 +1,7 @@
 #include <deal.II/base/tensor.h>
 
-#include <sandglass/material/elasticity.h>
 #include <sandglass/continuum/in_plane_increment.h>
+#include <sandglass/material/elasticity.h>
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ namespace
   /// Stress after a step, without yielding, as in the particle stage.
   SymmetricComponents<4>
   after_step(const SymmetricComponents<4> &stress,
-             const Tensor<2, 2>     &gradient,
-             const StressIntegration integration)
+             const Tensor<2, 2>           &gradient,
+             const StressIntegration       integration)
   {
-    const InPlaneIncrement increment(gradient, 0., integration);
+    const InPlaneIncrement<double> increment(gradient, 0., integration);
     return rotate(stress, increment.rotation) +
            elasticity.stress(increment.strain);
   }
@@ -51,10 +51,10 @@ namespace
                         const StressIntegration integration)
   {
     Tensor<2, 2> gradient;
-    gradient[0][1]          = 20. / n_steps;
-    const double     G      = elasticity.shear_modulus;
+    gradient[0][1]                = 20. / n_steps;
+    const double           G      = elasticity.shear_modulus;
     SymmetricComponents<4> stress = SymmetricComponents<4>::Zero();
-    double           error  = 0.;
+    double                 error  = 0.;
     for (unsigned int step = 1; step <= n_steps; ++step)
       {
         stress = after_step(stress, gradient, integration);

@@ -29,13 +29,14 @@ namespace
     void
     compute(const Function &velocity)
     {
-      fixture.set_mapped_velocity(velocity);
       average.cells->compute(stage.particles().blocks());
-      average.compute(stage.particles().blocks(), sums, stage.nodal_fields().mapped_velocity);
+      average.compute(stage.particles().blocks(),
+                      sums,
+                      fixture.at_nodes(velocity));
     }
 
     StageFixture                     fixture;
-    ParticleStage                   &stage;
+    StageFixture::Stage             &stage;
     CellGeometry<CellType::triangle> geometry;
     NodalSums<Triangles>             sums;
     VolumetricAverage<Triangles>     average;
