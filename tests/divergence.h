@@ -3,8 +3,8 @@
 
 #include <deal.II/base/point.h>
 
-#include <sandglass/base/setting.h>
-#include <sandglass/material/stress.h>
+#include <sandglass/continuum/formulation.h>
+#include <sandglass/continuum/symmetric_components.h>
 
 /**
  * Divergence of a symmetric tensor field `field(point)` by central differences,
@@ -16,7 +16,7 @@ divergence_of(const Field                 &field,
               const dealii::Point<2>      &point,
               const Sandglass::Formulation formulation)
 {
-  using Tensor4               = Sandglass::SymmetricTensor4;
+  using Tensor4               = Sandglass::SymmetricComponents<4>;
   namespace C                 = Sandglass::Component;
   constexpr double distance   = 1e-4;
   const auto       derivative = [&](const unsigned int direction) {

@@ -68,7 +68,7 @@ public:
     fixture.material.internal_friction_angle = friction_angle;
     fixture.parameters.volumetric_strain     = volumetric_strain;
     fixture.parameters.force_integration     = integration;
-    fixture.parameters.density_update        = DensityUpdate::constant;
+    fixture.parameters.density_update        = DensityUpdate::paper;
     fixture.parameters.end_time              = 1e3;
     Rectangle rectangle;
     rectangle.cell_type              = cells == Cells::quadrilaterals ?
@@ -102,12 +102,13 @@ public:
   {
     constexpr double loading_time = 2., waiting_time = 4.; // s
     auto            &stage = *fixture.stage;
-    while (stage.clock.time < loading_time + waiting_time)
+    while (stage.view().clock().time < loading_time + waiting_time)
       {
-        const double time_share = std::min(1., stage.clock.time / loading_time);
+        const double time_share =
+          std::min(1., stage.view().clock().time / loading_time);
         set_load(1. + time_share * share * (limit() - 1.));
         stage.step();
-        if (stage.clock.step % 100 == 0 && settlement() > 0.01)
+        if (stage.view().clock().step % 100 == 0 && settlement() > 0.01)
           return false;
       }
     return true;
@@ -134,12 +135,12 @@ private:
   void
   set_stress()
   {
-    fixture.for_each_particle([&](auto, const auto &position, auto state) {
+    fixture.change_particles([&](auto, const auto &position, auto state) {
       const double below = depth - h - position[1];
       const double p     = below > 0. ? surcharge + density * gravity * below :
                                         surcharge * (depth - position[1]) / h;
       for (const unsigned int c : {0, 1, 2})
-        state[Sandglass::Property::stress + c] = -p;
+        state[StageLayout::stress + c] = -p;
     });
   }
 
@@ -149,20 +150,19 @@ private:
   void
   set_masses(const double pressure, const bool of_footing)
   {
-    constexpr unsigned int density_index =
-      Sandglass::ParticleBlock::properties + Sandglass::Property::density;
-    auto &blocks = fixture.stage->cloud.change_blocks();
-    blocks.for_each([&](const Sandglass::ParticleSlot &slot) {
-      const auto id = blocks.id(slot);
-      if (!is_on_top(id) || is_footing(id) != of_footing)
-        return;
-      auto        &values = blocks[slot.block].values;
-      const double factor =
-        pressure / (gravity * h) / values[density_index][slot.lane];
-      values[Sandglass::ParticleBlock::mass][slot.lane] *= factor;
-      values[density_index][slot.lane] *= factor;
+    using Block = Sandglass::ParticleBlock<StageLayout>;
+    fixture.stage->edit_blocks([&](auto &blocks) {
+      blocks.for_each([&](const Sandglass::ParticleSlot &slot) {
+        const auto id = blocks.id(slot);
+        if (!is_on_top(id) || is_footing(id) != of_footing)
+          return;
+        auto        &values = blocks[slot.block].values;
+        const double factor =
+          pressure / (gravity * h) / values[Block::density][slot.lane];
+        values[Block::mass][slot.lane] *= factor;
+        values[Block::density][slot.lane] *= factor;
+      });
     });
-    fixture.stage->cloud.start_new_edition();
   }
 
   void

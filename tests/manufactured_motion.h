@@ -64,13 +64,13 @@ struct ManufacturedMotion
   }
 
   /// Displacement gradient (xx, yy, hoop, mean of xy and yx).
-  Sandglass::SymmetricTensor4
+  Sandglass::SymmetricComponents<4>
   gradient(const dealii::Point<2> &X, const double time) const
   {
     const double scale = pi * amplitude;
     const double sx = std::sin(pi * X[0]), cx = std::cos(pi * X[0]);
     const double sy = std::sin(pi * X[1]), cy = std::cos(pi * X[1]);
-    Sandglass::SymmetricTensor4 result;
+    Sandglass::SymmetricComponents<4> result;
     if (form == Form::axis_aligned)
       result << cx, -cy, 0., 0.;
     else
@@ -82,10 +82,10 @@ struct ManufacturedMotion
   }
 
   /// Cauchy stress beside the initial pressure, in Pa.
-  Sandglass::SymmetricTensor4
+  Sandglass::SymmetricComponents<4>
   stress(const dealii::Point<2> &X, const double time) const
   {
-    Sandglass::SymmetricTensor4 strain = gradient(X, time);
+    Sandglass::SymmetricComponents<4> strain = gradient(X, time);
     for (const unsigned int c : {0, 1, 2})
       strain[c] = std::log1p(strain[c]);
     return elasticity.stress(strain);
@@ -114,12 +114,12 @@ struct ManufacturedMotion
 private:
   /// First Piola-Kirchhoff stress J sigma F^-T, whose divergence is taken in
   /// the initial configuration; of the sheared motion without the terms in A^2.
-  Sandglass::SymmetricTensor4
+  Sandglass::SymmetricComponents<4>
   piola_stress(const dealii::Point<2> &X, const double time) const
   {
-    namespace C                         = Sandglass::Component;
-    Sandglass::SymmetricTensor4       P = stress(X, time);
-    const Sandglass::SymmetricTensor4 H = gradient(X, time);
+    namespace C                               = Sandglass::Component;
+    Sandglass::SymmetricComponents<4>       P = stress(X, time);
+    const Sandglass::SymmetricComponents<4> H = gradient(X, time);
     const double fx = 1. + H[C::xx], fy = 1. + H[C::yy], fz = 1. + H[C::zz];
     P[C::xx] *= fy * fz;
     P[C::yy] *= fx * fz;
@@ -191,11 +191,12 @@ public:
     rectangle.left = rectangle.right = BoundaryRole::axis;
     rectangle.bottom = rectangle.top = BoundaryRole::axis;
     fixture.start(rectangle.mesh());
-    fixture.stage->set_initial_state(
+    fixture.stage->start_from(
       [this](const unsigned int, const dealii::Point<2> &) {
-        return ParticleStage::InitialState{
-          {}, SymmetricTensor4(isotropic(-initial_pressure)), 1.};
-      });
+        return Sandglass::InitialState<2>{
+          {}, SymmetricComponents<4>(isotropic<4>(-initial_pressure)), 1.};
+      },
+      {});
     change_velocities([&](const dealii::Point<2> &X) {
       return this->motion.velocity(X, -end / n_steps / 2.);
     });
@@ -207,7 +208,7 @@ public:
     auto &stage = *fixture.stage;
     for (unsigned int step = 0; step < n_steps; ++step)
       {
-        const double time      = stage.clock.time;
+        const double time      = stage.view().clock().time;
         const double time_step = fixture.parameters.end_time / n_steps;
         change_velocities([&](const dealii::Point<2> &X) {
           return time_step * motion.body_force(X, time);
@@ -224,33 +225,34 @@ private:
   void
   change_velocities(const Change &change)
   {
-    auto &blocks = fixture.stage->cloud.change_blocks();
-    blocks.for_each([&](const Sandglass::ParticleSlot &slot) {
-      const dealii::Tensor<1, 2> difference =
-        change(fixture.stage->initial_position(blocks.id(slot)));
-      for (unsigned int d = 0; d < 2; ++d)
-        blocks[slot.block]
-          .values[Sandglass::ParticleBlock::velocity + d][slot.lane] +=
-          difference[d];
+    constexpr unsigned int velocity =
+      Sandglass::ParticleBlock<StageLayout>::velocity;
+    fixture.stage->edit_blocks([&](auto &blocks) {
+      blocks.for_each([&](const Sandglass::ParticleSlot &slot) {
+        const dealii::Tensor<1, 2> difference =
+          change(fixture.stage->initial_position(blocks.id(slot)));
+        for (unsigned int d = 0; d < 2; ++d)
+          blocks[slot.block].values[velocity + d][slot.lane] += difference[d];
+      });
     });
-    fixture.stage->cloud.start_new_edition();
   }
 
   MotionErrors
   errors() const
   {
     using namespace Sandglass;
-    const double time = fixture.stage->clock.time;
+    const double time = fixture.stage->view().clock().time;
     MotionErrors result{};
     double       displacement_scale = 0., stress_scale = 0.;
     fixture.for_each_particle([&](auto id, const auto &position, auto state) {
-      const dealii::Point<2>     X     = fixture.stage->initial_position(id);
-      const double               m     = state[Property::mass];
-      const dealii::Tensor<1, 2> u     = motion.displacement(X, time);
-      const SymmetricTensor4     exact = motion.stress(X, time);
-      SymmetricTensor4 difference      = isotropic(initial_pressure) - exact;
+      const dealii::Point<2>       X     = fixture.stage->initial_position(id);
+      const double                 m     = state[StageLayout::mass];
+      const dealii::Tensor<1, 2>   u     = motion.displacement(X, time);
+      const SymmetricComponents<4> exact = motion.stress(X, time);
+      SymmetricComponents<4>       difference =
+        isotropic<4>(initial_pressure) - exact;
       for (unsigned int c = 0; c < 4; ++c)
-        difference[c] += state[Property::stress + c];
+        difference[c] += state[StageLayout::stress + c];
       result.displacement += m * (position - X - u).norm_square();
       displacement_scale += m * u.norm_square();
       result.stress += m * double_contraction(difference, difference);

@@ -4,7 +4,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 
-#include <sandglass/base/setting.h>
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/material/elasticity.h>
 
 #include <cmath>
@@ -56,14 +56,14 @@ struct ManufacturedSettlement
     return amplitude * result;
   }
 
-  Sandglass::SymmetricTensor4
+  Sandglass::SymmetricComponents<4>
   stress(const dealii::Point<2> &point) const
   {
     const dealii::Tensor<2, 2> H = gradient(point);
     const double hoop = formulation == Sandglass::Formulation::axisymmetric ?
                           displacement(point)[0] / point[0] :
                           0.;
-    return elasticity.stress(Sandglass::SymmetricTensor4(
+    return elasticity.stress(Sandglass::SymmetricComponents<4>(
       H[0][0], H[1][1], hoop, (H[0][1] + H[1][0]) / 2.));
   }
 

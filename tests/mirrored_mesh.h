@@ -8,11 +8,11 @@
 
 /// The whole section that a half section with the axis x = 0 stands for: its
 /// cells and edges, and their mirror images.
-inline Sandglass::Mesh
-mirrored(const Sandglass::Mesh &half)
+inline Sandglass::Mesh<2>
+mirrored(const Sandglass::Mesh<2> &half)
 {
   using namespace Sandglass;
-  Mesh whole = half;
+  Mesh<2> whole = half;
 
   std::vector<unsigned int> image;
   for (dealii::Point<2> vertex : half.vertices)
@@ -26,7 +26,7 @@ mirrored(const Sandglass::Mesh &half)
       }
 
   const unsigned int n = half.vertices_per_cell();
-  for (Mesh::Cell cell : half.cells)
+  for (Mesh<2>::Cell cell : half.cells)
     {
       for (unsigned int v = 0; v < n; ++v)
         cell.vertices[v] = image[cell.vertices[v]];
@@ -36,7 +36,7 @@ mirrored(const Sandglass::Mesh &half)
     }
 
   whole.faces.clear();
-  for (const Mesh::Face &edge : half.faces)
+  for (const Mesh<2>::Face &edge : half.faces)
     if (edge.role != BoundaryRole::axis)
       {
         whole.faces.push_back(edge);

@@ -30,10 +30,10 @@ struct Rectangle
     return point;
   };
 
-  Sandglass::Mesh
+  Sandglass::Mesh<2>
   mesh() const
   {
-    Sandglass::Mesh result;
+    Sandglass::Mesh<2> result;
     result.cell_type = cell_type;
     for (unsigned int j = 0; j <= n_y; ++j)
       for (unsigned int i = 0; i <= n_x; ++i)
@@ -84,7 +84,7 @@ private:
   }
 
   void
-  add_cell(Sandglass::Mesh                   &mesh,
+  add_cell(Sandglass::Mesh<2>                &mesh,
            const std::array<unsigned int, 4> &vertices,
            const unsigned int                 n) const
   {

@@ -1,6 +1,8 @@
 #ifndef sandglass_tests_stage_fixture_h
 #define sandglass_tests_stage_fixture_h
 
+#include <sandglass/choices.h>
+#include <sandglass/flow/make_flow.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <sstream>
 
 #include "rectangle_mesh.h"
+#include "wall_role.h"
 
 /// As in the parameter file.
 inline const char *
@@ -20,6 +23,55 @@ name_of(const Sandglass::ForceIntegration integration)
 
 
 
+/// What a particle carries with a law without state variables.
+using StageLayout = Sandglass::ParticleLayout<2, 4, 0>;
+
+/// Since the start, in J; on one rank.
+inline double
+plastic_work(const Sandglass::ParticleStage<StageLayout> &stage)
+{
+  return stage.view().totals().dissipated_energy -
+         stage.wall_contact().friction_dissipation();
+}
+
+/// All that has passed the outlet level, in kg.
+inline double
+discharged_mass(const Sandglass::FlowTotals &totals)
+{
+  return totals.mass_falling + totals.mass_removed;
+}
+
+/// All that there was at the start, in kg.
+inline double
+mass_of_all(const Sandglass::FlowTotals &totals)
+{
+  return totals.mass_in_silo + discharged_mass(totals) + totals.mass_lost;
+}
+
+/// Mean over some time of a wall's force on the material at one node.
+struct MeanWallForce
+{
+  dealii::Point<2>     position;
+  Sandglass::WallId    wall;   ///< see is_role()
+  dealii::Tensor<1, 2> normal; ///< outward from the material
+  double               tributary_area;
+  dealii::Tensor<1, 2> force; ///< in N
+
+  /// Compression positive.
+  double
+  normal_force() const
+  {
+    return -(force * normal);
+  }
+
+  /// Along wall_tangent(normal).
+  double
+  tangential_force() const
+  {
+    return force * Sandglass::wall_tangent(normal);
+  }
+};
+
 /**
  * A particle stage on a hand-made mesh, with all parameters at hand before
  * start() makes the stage.
@@ -29,6 +81,8 @@ name_of(const Sandglass::ForceIntegration integration)
  */
 struct StageFixture
 {
+  using Stage = Sandglass::ParticleStage<StageLayout>;
+
   struct ClearedParameters
   {
     ClearedParameters()
@@ -46,18 +100,26 @@ struct StageFixture
   unsigned int           particles_per_cell = 4;
   dealii::Tensor<1, 2>   gravity{{0., -9.81}};
 
-  std::unique_ptr<Sandglass::Scene>         scene;
-  std::unique_ptr<Sandglass::ParticleStage> stage;
+  std::unique_ptr<Sandglass::Scene<2>> scene;
+  std::unique_ptr<Stage>               stage;
 
-  Sandglass::ParticleStage &
-  start(const Sandglass::Mesh &mesh)
+  Stage &
+  start(const Sandglass::Mesh<2> &mesh)
   {
     stage.reset();
     parameters.check();
-    scene = std::make_unique<Sandglass::Scene>(
+    scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
-    stage = Sandglass::make_particle_stage(*scene, material, walls, parameters);
+    stage.reset(&dynamic_cast<Stage &>(
+      *Sandglass::make_flow<2>(*scene, material, walls, parameters).release()));
+    last_records = stage->view().wall_records();
     return *stage;
+  }
+
+  Sandglass::Elasticity
+  elasticity() const
+  {
+    return Sandglass::DruckerPrager(material).elasticity;
   }
 
   /// Give start() a fixed step in s instead of the automatic one.
@@ -81,30 +143,73 @@ struct StageFixture
                  scene->nodes->global_to_local(cell->vertex_dof_index(v, 0)));
   }
 
-  /// Make v^L that of a function of the position, in m/s.
+  /// A function of the position at the nodes.
   template <typename Function>
-  void
-  set_mapped_velocity(const Function &velocity)
+  Sandglass::NodalField<2>
+  at_nodes(const Function &function) const
   {
+    Sandglass::NodalField<2> field(*scene->nodes);
     for_each_node(
       [&](const dealii::Point<2> &position, const unsigned int node) {
-        const dealii::Tensor<1, 2> value = velocity(position);
+        const dealii::Tensor<1, 2> value = function(position);
         for (unsigned int d = 0; d < 2; ++d)
-          stage->fields.mapped_velocity.at(node)[d] = value[d];
+          field.at(node)[d] = value[d];
       });
+    return field;
   }
 
-  /// Call `function(id, position, properties)` for each particle.
+  /// Call `function(id, position, properties)` for each particle. It may change
+  /// nothing: the stage goes on with the sums that its steps have left.
   template <typename Function>
   void
   for_each_particle(const Function &function) const
   {
-    stage->cloud.edit([&](auto &handler) {
+    for (const auto &particle : stage->particles().handler())
+      function(particle.get_id(),
+               particle.get_location(),
+               dealii::ArrayView<const double>(particle.get_properties()));
+  }
+
+  /// The same for a function that changes properties, after which the stage
+  /// sums over all particles anew.
+  template <typename Function>
+  void
+  change_particles(const Function &function)
+  {
+    stage->edit_particles([&](auto &handler) {
       for (auto &particle : handler)
         function(particle.get_id(),
                  particle.get_location(),
                  particle.get_properties());
     });
+  }
+
+  /// Mean forces of the walls and the axis since the last call, or the start;
+  /// zero if no time has passed.
+  std::vector<MeanWallForce>
+  take_mean_forces()
+  {
+    const Sandglass::WallRecords records = stage->view().wall_records();
+    const double                 time    = records.time - last_records.time;
+    std::vector<MeanWallForce>   forces;
+    for (unsigned int i = 0; i < records.records.size(); ++i)
+      {
+        const auto   &record = records.records[i];
+        MeanWallForce force{};
+        force.wall           = record.wall;
+        force.tributary_area = record.area;
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            force.position[d] = record.position[d];
+            force.normal[d]   = record.normal[d];
+            if (time > 0.)
+              force.force[d] =
+                (record.impulse[d] - last_records.records[i].impulse[d]) / time;
+          }
+        forces.push_back(force);
+      }
+    last_records = records;
+    return forces;
   }
 
   /// Whether all that particles carry is a number.
@@ -120,6 +225,9 @@ struct StageFixture
     });
     return result;
   }
+
+private:
+  Sandglass::WallRecords last_records;
 };
 
 #endif

@@ -5,13 +5,14 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <sandglass/scene/make_mesh.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
+#include <sandglass/scene/make_mesh.h>
 
 #include <memory>
 #include <sstream>
 
 #include "rectangle_mesh.h"
+#include "wall_role.h"
 
 /**
  * The static stage on any mesh, with all parameters at hand before run().
@@ -38,24 +39,31 @@ struct StaticFixture
   Sandglass::Formulation formulation = Sandglass::Formulation::plane_strain;
   dealii::Tensor<1, 2>   gravity{{0., -9.81}};
 
-  std::unique_ptr<Sandglass::Scene> scene;
-  Sandglass::StaticState            state;
-  std::ostringstream                log_text;
+  std::unique_ptr<Sandglass::Scene<2>> scene;
+  Sandglass::StaticState<2>            state;
+  std::ostringstream                   log_text;
 
   void
-  run(const Sandglass::Mesh &mesh, const MPI_Comm communicator = MPI_COMM_WORLD)
+  run(const Sandglass::Mesh<2> &mesh,
+      const MPI_Comm            communicator = MPI_COMM_WORLD)
   {
-    scene = std::make_unique<Sandglass::Scene>(
+    scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, formulation, 4, gravity, communicator);
     dealii::ConditionalOStream log(log_text);
-    Sandglass::StaticStage     stage(*scene, material, walls, parameters, log);
+    Sandglass::StaticStage<2>  stage(*scene, material, walls, parameters, log);
     state = stage.run();
   }
 
   void
   run_silo()
   {
-    run(Sandglass::mesh_silo(silo));
+    run(Sandglass::mesh_silo<2>(silo));
+  }
+
+  Sandglass::Elasticity
+  elasticity() const
+  {
+    return Sandglass::DruckerPrager(material).elasticity;
   }
 
   unsigned int
@@ -75,10 +83,11 @@ struct StaticFixture
   }
 
   /// Mean over the cell's quadrature points.
-  Sandglass::SymmetricTensor4
-  mean_stress(const Sandglass::StaticState::CellState &cell_state) const
+  Sandglass::SymmetricComponents<4>
+  mean_stress(const Sandglass::StaticState<2>::CellState &cell_state) const
   {
-    Sandglass::SymmetricTensor4 sum = Sandglass::SymmetricTensor4::Zero();
+    Sandglass::SymmetricComponents<4> sum =
+      Sandglass::SymmetricComponents<4>::Zero();
     for (unsigned int q = 0; q < n_points(); ++q)
       sum += cell_state.stress[q];
     return sum / n_points();

@@ -19,7 +19,7 @@ from traction_tables import sign_change, tractions
 DRAW_FLOW = ROOT / "build" / "release" / "figures" / "draw_flow"
 PLANE, AXISYMMETRIC = SILOS[:2], SILOS[2:]
 
-# Of Figures 3, 4, 7, 8 and 11: run, picture, times in s.
+# The pictures of Figures 3, 4, 7, 8 and 11: run and times in s.
 PICTURES = {
     "figure-3": ("plane-flat-bottom-mesh-3", (0, 0.5, 1.0, 1.5, 2.5)),
     "figure-4": ("plane-hopper-mesh-3", (0, 0.5, 1.0, 1.5, 2.0)),

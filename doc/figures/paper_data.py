@@ -15,7 +15,7 @@ MESH_DATA = {
     "plane-section-5.3": ((0.1, 1523, 2876, 11056),),
 }
 
-# As in the scenes' parameter files: meshes 1 to 3.
+# The steps in the scenes' parameter files, meshes 1 to 3.
 TIME_STEPS = {
     "plane-flat-bottom": ("1e-3", "5e-4, after 3 s 2.5e-4",
                           "2.5e-4, after 2 s 1.25e-4"),
@@ -25,7 +25,7 @@ TIME_STEPS = {
     "axisymmetric-hopper": ("10e-5", "5e-5", "2.5e-5, after 1.2 s 1.25e-5"),
 }
 
-# Of mesh 3, in hours, and the simulated time in s.
+# Run time on mesh 3, in hours, and the simulated time in s.
 COMPUTATION = {
     "plane-flat-bottom": (17.43, 2.5),
     "plane-hopper": (19.48, 3.09),

@@ -37,7 +37,7 @@ def read_table(directory, name):
 
 
 def count_points(directory, name):
-    """Of the first file of a series: nodes of `grid`, particles of
+    """In the first file of a series: the nodes of `grid`, the particles of
     `particles`. The number is in the file's head."""
     with open(directory / "vtu" / (name + "_00000.vtu"), "rb") as file:
         head = file.read(2000).decode("latin-1")

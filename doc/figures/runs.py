@@ -13,7 +13,7 @@ SANDGLASS = ROOT / "build" / "release" / "sandglass"
 SILOS = ("plane-flat-bottom", "plane-hopper",
          "axisymmetric-flat-bottom", "axisymmetric-hopper")
 MESHES = (1, 2, 3)
-DENSITY_UPDATES = ("paper", "constant", "floor", "separation")
+DENSITY_UPDATES = ("paper", "separation")
 
 
 class Run(NamedTuple):
@@ -71,8 +71,7 @@ def lip_run(mesh, lip):
 
 def all_runs():
     lips = [lip_run(mesh, "floor") for mesh in reversed(MESHES)]
-    others = [density_run("plane-hopper", "constant", True)]
-    return list(dict.fromkeys(paper_runs() + density_runs() + lips + others))
+    return list(dict.fromkeys(paper_runs() + density_runs() + lips))
 
 
 def input_text(run):

@@ -47,7 +47,7 @@ def wall_force(directory, time):
 
 
 def mean_wall_force(directory, start, end):
-    """The same, mean over a stretch of time. Each output is a mean over the
+    """wall_force(), mean over a stretch of time. Each output is a mean over the
     time since the one before."""
     times = sorted(set(run_output.read_table(directory,
                                              "wall_traction.csv")["time_s"]))

@@ -311,7 +311,7 @@ def element_memory(_):
 
 
 def whole_run_shares(with_files, without_files):
-    """Of the parts in the sum of all."""
+    """Share of each part in the sum of all."""
     seconds, without = (
         {part: summary[part + "_seconds"]
          for part in run_output.RUN_PARTS}
@@ -337,7 +337,7 @@ def whole_run(_):
 
 
 def speed_up(pair, *parts):
-    """By the second run of a pair over the first, in these parts of both."""
+    """How much faster the second run of a pair is, in these parts of both."""
     seconds = [run_output.seconds_of(
         run_output.read_summary(run.directory), *parts) for _, run in pair]
     return seconds[0] / seconds[1]

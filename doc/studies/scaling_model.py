@@ -16,7 +16,7 @@ PARTICLES_PER_ELEMENT = 4
 ELEMENTS_PER_NODE = 2
 NEIGHBORS = 6
 
-# Of one step with the automatic time step. Nodal exchanges and their
+# In one step with the automatic time step. Nodal exchanges and their
 # components: sums 7, acceleration 2, momentum 2, velocity 2; every 20 steps
 # seven iterations of Lanczos' method, each with five exchanges of 2.
 EXCHANGES = 4 + 7 * 5 / 20

@@ -125,7 +125,7 @@ def of_integrations(rows, test, pattern):
 
 
 def finite_errors(rows, quantity):
-    """Of the displacement or the stress: the quantity 0 or 1."""
+    """Errors of the displacement or the stress: the quantity 0 or 1."""
     columns = ((8, 4), (16, 4), (32, 4), (16, 16), (32, 64))
     lines = []
     for head, values in of_integrations(

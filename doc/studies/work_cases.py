@@ -94,7 +94,8 @@ METHODS = {
                        (("Particle stage/Consistent mass share", 0.5),)),
 }
 
-# Whose finest results are the reference: all cures, finest at the lip.
+# The methods whose finest results are the reference: all cures, finest at
+# the lip.
 REFERENCES = ("lip-4-9", "lip-4-16", "lip-8-9")
 
 

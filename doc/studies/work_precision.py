@@ -118,7 +118,8 @@ def others(rows):
 
 
 def cheapest(rows, key, name, bound):
-    """Of a method's runs from which on its error stays within a bound."""
+    """The cheapest of a method's runs from which on its error stays within a
+    bound."""
     result = None
     for row in reversed(by_mesh(rows, key, name).values()):
         error = error_of(rows, row, "flow_rate")

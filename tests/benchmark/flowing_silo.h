@@ -2,6 +2,7 @@
 #define sandglass_tests_benchmark_flowing_silo_h
 
 #include <sandglass/flow/particle_in_cell/cell_kernel.h>
+#include <sandglass/flow/particle_in_cell/setting.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include "stage_fixture.h"
@@ -16,7 +17,7 @@ template <typename Setting>
 struct FlowingSilo : StageFixture
 {
   using Geometry = Sandglass::CellGeometry<Setting::cell_type>;
-  using Point    = dealii::Point<Sandglass::dim>;
+  using Point    = dealii::Point<2>;
 
   /// Of strain, force, splitting and lip, and of time steps.
   enum class Method
@@ -31,7 +32,7 @@ struct FlowingSilo : StageFixture
                        const Method       method = Method::paper)
   {
     Sandglass::SceneParameters silo;
-    silo.formulation  = Setting::formulation;
+    silo.formulation  = Setting::Kinematics::formulation;
     silo.cell_type    = Setting::cell_type;
     silo.element_size = 0.025 / refinement;
     formulation       = silo.formulation;
@@ -46,12 +47,13 @@ struct FlowingSilo : StageFixture
         parameters.split_particles   = Sandglass::SplitParticles::never;
         walls.outlet_lip = Sandglass::WallParameters::OutletLip::floor;
       }
-    start(make_mesh(silo, MPI_COMM_WORLD));
+    start(Sandglass::make_mesh<2>(silo, MPI_COMM_WORLD));
     geometry = std::make_unique<Geometry>(*scene);
-    stage->set_initial_state(
+    stage->start_from(
       [this](const unsigned int cell, const Point &reference_point) {
         return state_at_rest(geometry->shape(cell).to_real(reference_point)[1]);
-      });
+      },
+      {});
   }
 
   /// Take over the velocity of the flow on a coarser mesh.
@@ -59,21 +61,20 @@ struct FlowingSilo : StageFixture
   take_velocity(const FlowingSilo &coarse)
   {
     unsigned int cell = 0;
-    stage->cloud.edit([&](auto &handler) {
+    stage->edit_particles([&](auto &handler) {
       for (auto &particle : handler)
         {
           const auto place =
             coarse.geometry->find(particle.get_location(), cell);
           cell                = place.cell;
           const auto velocity = Sandglass::interpolate(
-            Sandglass::gather(coarse.stage->fields.mapped_velocity,
+            Sandglass::gather(coarse.stage->nodal_fields().mapped_velocity,
                               coarse.geometry->nodes(cell)),
             Geometry::Shape::shape_values(
-              Sandglass::pair_of(place.reference_point)));
+              Sandglass::components_of<2>(place.reference_point)));
           std::copy(velocity.begin(),
                     velocity.end(),
-                    particle.get_properties().begin() +
-                      Sandglass::Property::velocity);
+                    particle.get_properties().begin() + StageLayout::velocity);
         }
     });
   }
@@ -88,14 +89,14 @@ struct FlowingSilo : StageFixture
   unsigned int
   n_particles() const
   {
-    return stage->cloud.n_locally_owned_particles();
+    return stage->particles().n_locally_owned_particles();
   }
 
   std::unique_ptr<Geometry> geometry;
 
 private:
   /// @param y  height in m.
-  Sandglass::ParticleStage::InitialState
+  Sandglass::InitialState<2>
   state_at_rest(const double y) const
   {
     constexpr double lateral_ratio = 0.5; // within the yield surface

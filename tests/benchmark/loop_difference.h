@@ -9,14 +9,14 @@
 
 /// Of all particles, in J.
 inline double
-kinetic_energy(const Sandglass::ParticleCloud::Handler &particles)
+kinetic_energy(const dealii::Particles::ParticleHandler<2> &particles)
 {
   double energy = 0.;
   for (const auto &particle : particles)
     {
       const double *state    = particle.get_properties().data();
-      const double *velocity = state + Sandglass::Property::velocity;
-      energy += 0.5 * state[Sandglass::Property::mass] *
+      const double *velocity = state + StageLayout::velocity;
+      energy += 0.5 * state[StageLayout::mass] *
                 (velocity[0] * velocity[0] + velocity[1] * velocity[1]);
     }
   return energy;
@@ -28,10 +28,10 @@ template <typename Setting>
 double
 loop_difference(const FlowingSilo<Setting> &silo, PlainLoop<Setting> &plain)
 {
-  namespace NodalSum = Sandglass::NodalSum;
+  using NodalSum = Sandglass::NodalSum<2>;
 
   plain.sum_at_nodes();
-  const double energy = kinetic_energy(silo.stage->cloud.handler());
+  const double energy = kinetic_energy(silo.stage->particles().handler());
   double       result = std::abs(kinetic_energy(plain.handler) / energy - 1.);
   for (const auto &[first, n] : {std::pair(NodalSum::mass, 1u),
                                  std::pair(NodalSum::momentum, 2u),
@@ -41,7 +41,7 @@ loop_difference(const FlowingSilo<Setting> &silo, PlainLoop<Setting> &plain)
       for (unsigned int node = 0; node < silo.scene->nodes->size(); ++node)
         for (unsigned int c = first; c < first + n; ++c)
           {
-            const double own   = silo.stage->fields.sums.at(node)[c];
+            const double own   = silo.stage->nodal_fields().sums.at(node)[c];
             const double other = plain.fields.sums.at(node)[c];
             largest            = std::max(largest, std::abs(own));
             difference         = std::max(difference, std::abs(own - other));

@@ -71,9 +71,9 @@ namespace
   double
   measure(FlowingSilo<Setting> &silo, const unsigned int n_steps)
   {
-    const unsigned long before = silo.stage->particle_steps;
+    const unsigned long before = silo.stage->view().totals().particle_steps;
     const double        time   = measure([&]() { silo.run(n_steps); });
-    return time / (silo.stage->particle_steps - before);
+    return time / (silo.stage->view().totals().particle_steps - before);
   }
 
 
@@ -97,8 +97,8 @@ namespace
   BytesMoved
   bytes_moved(const FlowingSilo<Setting> &silo)
   {
-    const ParticleBlocks &blocks  = silo.stage->cloud.blocks();
-    unsigned int          n_cells = 0, n_blocks = 0;
+    const auto  &blocks  = silo.stage->particles().blocks();
+    unsigned int n_cells = 0, n_blocks = 0;
     for_each_filled_cell(blocks, [&](const unsigned int cell) {
       ++n_cells;
       blocks.for_each_block_in_cell(cell, [&](unsigned int) { ++n_blocks; });
@@ -108,10 +108,11 @@ namespace
     const double cell = sizeof(Shape) + 2 * Shape::n_nodes * sizeof(int);
     const double sums = sizeof(CellSums<Setting, double>);
     const double n    = silo.n_particles();
-    return {
-      (n_blocks * 2. * sizeof(ParticleBlock) + n_cells * (cell + 2 * sums)) / n,
-      n_cells * (cell + sums) / n,
-      n / (Lanes::n * n_blocks)};
+    return {(n_blocks * 2. * sizeof(ParticleBlock<StageLayout>) +
+             n_cells * (cell + 2 * sums)) /
+              n,
+            n_cells * (cell + sums) / n,
+            n / (Lanes::n * n_blocks)};
   }
 
 
@@ -140,7 +141,7 @@ namespace
     PlainLoop<Setting>   plain(*silo.scene,
                              silo.material,
                              silo.walls,
-                             silo.stage->cloud.handler());
+                             silo.stage->particles().handler());
     const auto           run_plain = [&](const unsigned int n_steps) {
       for (unsigned int n = 0; n < n_steps; ++n)
         plain.step(silo.parameters.time_steps[0].second);
@@ -159,10 +160,11 @@ namespace
     std::vector<double> times, ratios;
     for (auto _ : state)
       {
-        const unsigned long before = silo.stage->particle_steps;
+        const unsigned long before = silo.stage->view().totals().particle_steps;
         times.push_back(measure(silo, n_steps));
-        const double n_particle_steps = silo.stage->particle_steps - before;
-        const double plain_time       = measure([&]() { run_plain(n_steps); });
+        const double n_particle_steps =
+          silo.stage->view().totals().particle_steps - before;
+        const double plain_time = measure([&]() { run_plain(n_steps); });
         ratios.push_back(plain_time / n_particle_steps / times.back());
         state.SetIterationTime(1e-9 * times.back());
       }
@@ -256,10 +258,11 @@ namespace
 
     PartSums times(processor_time);
     stage.step_watcher         = &times;
-    const unsigned long before = stage.particle_steps;
+    const unsigned long before = stage.view().totals().particle_steps;
     for (auto _ : state)
       state.SetIterationTime(1e-9 * measure([&]() { silo->run(n_steps); }));
-    const double n_particle_steps = stage.particle_steps - before;
+    const double n_particle_steps =
+      stage.view().totals().particle_steps - before;
 
     for (unsigned int part = 0; part < times.sums.size(); ++part)
       state.counters[std::string("ns_of_") + step_part_names[part]] =
@@ -292,11 +295,11 @@ namespace
 
 
 
-  template <Formulation formulation, CellType cell_type>
+  template <typename Kinematics, CellType cell_type>
   void
   add_benchmarks(const std::string &name)
   {
-    using Choice                   = Setting<formulation, cell_type>;
+    using Choice = Setting<Kinematics, cell_type, DruckerPrager>;
     constexpr unsigned int n_pairs = 15;
     benchmark::RegisterBenchmark(("beside_plain_loop/" + name).c_str(),
                                  beside_plain_loop<Choice>)
@@ -333,13 +336,10 @@ main(int argc, char *argv[])
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  add_benchmarks<Formulation::plane_strain, CellType::triangle>(
-    "plane/triangles");
-  add_benchmarks<Formulation::plane_strain, CellType::quadrilateral>(
-    "plane/quadrilaterals");
-  add_benchmarks<Formulation::axisymmetric, CellType::triangle>(
-    "axisymmetric/triangles");
-  add_benchmarks<Formulation::axisymmetric, CellType::quadrilateral>(
+  add_benchmarks<PlaneStrain, CellType::triangle>("plane/triangles");
+  add_benchmarks<PlaneStrain, CellType::quadrilateral>("plane/quadrilaterals");
+  add_benchmarks<Axisymmetric, CellType::triangle>("axisymmetric/triangles");
+  add_benchmarks<Axisymmetric, CellType::quadrilateral>(
     "axisymmetric/quadrilaterals");
   benchmark::RegisterBenchmark("limits/memory_bandwidth",
                                MachineLimits::memory_bandwidth);

@@ -3,7 +3,7 @@
 
 #include <deal.II/particles/particle_handler.h>
 
-#include <sandglass/flow/particle_in_cell/deformation.h>
+#include <sandglass/continuum/in_plane_increment.h>
 #include <sandglass/flow/particle_in_cell/nodal_equations.h>
 #include <sandglass/flow/particle_in_cell/particle_motion.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
@@ -25,29 +25,32 @@ class PlainLoop
 {
 public:
   static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
-  using Handler    = dealii::Particles::ParticleHandler<Sandglass::dim>;
-  using Iterator   = dealii::Particles::ParticleIterator<Sandglass::dim>;
-  using Geometry   = Sandglass::CellGeometry<Setting::cell_type>;
-  using Shape      = Sandglass::CellShape<Setting::cell_type>;
-  using Relocation = Sandglass::Relocation<Setting::cell_type>;
-  using Property   = Sandglass::Property::Offset;
+  static constexpr int          dim     = Setting::dim;
 
-  static constexpr unsigned int dim = Sandglass::dim;
+  using Handler    = dealii::Particles::ParticleHandler<dim>;
+  using Iterator   = dealii::Particles::ParticleIterator<dim>;
+  using Layout     = typename Setting::Layout;
+  using Law        = typename Setting::Law;
+  using Geometry   = Sandglass::CellGeometry<Setting::cell_type>;
+  using Shape      = typename Setting::Shape;
+  using Relocation = Sandglass::Relocation<Setting>;
+  using NodalSum   = Sandglass::NodalSum<dim>;
+  using Parcel     = Sandglass::Parcel<Layout>;
 
   /// @param particles  copied with all their properties.
-  PlainLoop(const Sandglass::Scene              &scene,
+  PlainLoop(const Sandglass::Scene<dim>         &scene,
             const Sandglass::MaterialParameters &material,
             const Sandglass::WallParameters     &walls,
             const Handler                       &particles)
     : fields(*scene.nodes)
     , contact(scene, walls)
-    , handler(scene.triangulation,
-              scene.mapping,
-              Sandglass::Property::n_properties)
+    , handler(scene.triangulation, scene.mapping, Layout::n_properties)
     , scene(scene)
     , geometry(scene)
     , mass_matrix(*scene.nodes, geometry, 0.)
-    , stress_update(material.drucker_prager(), material.density)
+    , stress_update(Law(material),
+                    material.density,
+                    Sandglass::DensityUpdate::separation)
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       {
@@ -80,22 +83,21 @@ public:
     fields.sums.start_sum();
     for_each_cell([&](const unsigned int cell, const auto &particles) {
       const Shape &shape = geometry.shape(cell);
-      Sandglass::CellValues<Sandglass::NodalSum::n_components, n_nodes> sums{};
+      Sandglass::CellValues<NodalSum::n_components, n_nodes> sums{};
       for (auto &particle : particles)
-        PlainParticle::add_to_sums<Setting>(PlainParticle::state_of(particle),
-                                            shape,
-                                            sums);
+        PlainParticle::add_to_sums<Setting>(
+          PlainParticle::state_of<Layout>(particle), shape, sums);
       Sandglass::scatter(sums, geometry.nodes(cell), fields.sums);
     });
     fields.sums.finish_sum();
   }
 
-  Sandglass::NodalFields fields;
-  Sandglass::Contact     contact;
-  Handler                handler;
+  Sandglass::NodalFields<dim> fields;
+  Sandglass::Contact<dim>     contact;
+  Handler                     handler;
 
 private:
-  using State    = Sandglass::ParticleState<double>;
+  using State    = Sandglass::ParticleState<Layout, double>;
   using Location = typename Geometry::Location;
 
   struct Stray
@@ -130,16 +132,16 @@ private:
         {
           const auto properties = particle.get_properties();
           const auto values     = Shape::shape_values(
-            Sandglass::pair_of(particle.get_reference_location()));
+            Sandglass::components_of<dim>(particle.get_reference_location()));
           const auto acceleration =
             Sandglass::interpolate(accelerations, values);
           for (unsigned int d = 0; d < dim; ++d)
             {
-              double &velocity = properties[Property::velocity + d];
+              double &velocity = properties[Layout::velocity + d];
               velocity += time_step * acceleration[d];
               for (unsigned int i = 0; i < n_nodes; ++i)
                 momenta[i][d] +=
-                  values[i] * properties[Property::mass] * velocity;
+                  values[i] * properties[Layout::mass] * velocity;
             }
         }
       Sandglass::scatter(momenta, nodes, fields.mapped_velocity);
@@ -171,7 +173,7 @@ private:
                const Velocities &velocities,
                const double      time_step) const
   {
-    State      state = PlainParticle::state_of(particle);
+    State      state = PlainParticle::state_of<Layout>(particle);
     const auto velocity =
       Sandglass::interpolate(velocities, Shape::shape_values(state.reference));
     auto gradient =
@@ -183,12 +185,16 @@ private:
     const double hoop = Setting::has_hoop_strain ?
                           time_step * velocity[0] / state.location[0] :
                           0.;
-    const Sandglass::DeformationIncrement<double> increment(gradient, hoop);
-    const Sandglass::ParticleDeformation<double>  deformation{
-      stress_update.law.elasticity.stress(increment.strain),
-      increment.rotation,
-      1. / increment.jacobian};
-    stress_update(state, deformation);
+    using Increment = typename Setting::Kinematics::template Increment<double>;
+    const Increment increment(gradient, hoop);
+    const auto prediction = stress_update.law.predict(increment, time_step);
+    stress_update(
+      state,
+      Sandglass::ParticleDeformation<std::decay_t<decltype(prediction)>,
+                                     std::decay_t<decltype(increment.rotation)>,
+                                     double>{prediction,
+                                             increment.rotation,
+                                             1. / increment.jacobian});
     Sandglass::move(velocity, time_step, shape, state);
 
     PlainParticle::store_moved_state(state, particle);
@@ -216,7 +222,7 @@ private:
     // valid.
     for (auto stray = strays.rbegin(); stray != strays.rend(); ++stray)
       handler.remove_particle(stray->particle);
-    for (const Sandglass::Parcel &parcel : parcels)
+    for (const Parcel &parcel : parcels)
       handler.insert_particle(
         parcel.location,
         parcel.reference_point,
@@ -230,12 +236,11 @@ private:
   void
   add_parcel(const Particle &particle, const Location &location)
   {
-    Sandglass::Parcel parcel{location.cell,
-                             particle.get_id(),
-                             particle.get_location(),
-                             Shape::clamp(location.reference_point,
-                                          Relocation::margin),
-                             {}};
+    Parcel parcel{location.cell,
+                  particle.get_id(),
+                  particle.get_location(),
+                  Shape::clamp(location.reference_point, Relocation::margin),
+                  {}};
     if (parcel.reference_point != location.reference_point)
       parcel.location =
         geometry.shape(location.cell).to_real(parcel.reference_point);
@@ -244,14 +249,13 @@ private:
     parcels.push_back(parcel);
   }
 
-  const Sandglass::Scene        &scene;
-  const Geometry                 geometry;
-  Sandglass::MassMatrix<Setting> mass_matrix;
-  const Sandglass::StressUpdate<Sandglass::DensityUpdate::separation>
-    stress_update;
+  const Sandglass::Scene<dim>       &scene;
+  const Geometry                     geometry;
+  Sandglass::MassMatrix<Setting>     mass_matrix;
+  const Sandglass::StressUpdate<Law> stress_update;
   std::vector<typename dealii::Triangulation<dim>::active_cell_iterator> cells;
   std::vector<Stray>                                                     strays;
-  std::vector<Sandglass::Parcel> parcels;
+  std::vector<Parcel> parcels;
 };
 
 #endif

@@ -9,29 +9,38 @@ namespace PlainParticle
 {
   using namespace Sandglass;
 
-  template <typename Particle>
-  ParticleState<double>
+  template <typename Layout, typename Particle>
+  ParticleState<Layout, double>
   state_of(const Particle &particle)
   {
+    using Block            = ParticleBlock<Layout>;
     const auto &location   = particle.get_location();
     const auto &reference  = particle.get_reference_location();
     const auto  properties = particle.get_properties();
-    return load_state<double>([&](const unsigned int quantity) {
-      return quantity < ParticleBlock::reference ?
-               location[quantity] :
-             quantity < ParticleBlock::properties ?
-               reference[quantity - dim] :
-               properties[quantity - ParticleBlock::properties];
-    });
+
+    ParticleState<Layout, double> state;
+    for_each_changing_number(state,
+                             [&](double &number, const unsigned int quantity) {
+                               number =
+                                 quantity < Block::reference ?
+                                   location[quantity] :
+                                 quantity < Block::properties ?
+                                   reference[quantity - Block::reference] :
+                                   properties[quantity - Block::properties];
+                             });
+    state.mass = properties[Layout::mass];
+    return state;
   }
 
   /// Add the particle's mass, momentum and internal force at its cell's nodes.
   template <typename Setting, typename CellSums>
   void
-  add_to_sums(const ParticleState<double>         &state,
-              const CellShape<Setting::cell_type> &shape,
-              CellSums                            &sums)
+  add_to_sums(const ParticleState<typename Setting::Layout, double> &state,
+              const typename Setting::Shape                         &shape,
+              CellSums                                              &sums)
   {
+    constexpr int dim      = Setting::dim;
+    using NodalSum         = Sandglass::NodalSum<dim>;
     const auto   values    = shape.shape_values(state.reference);
     const auto   gradients = shape.shape_gradients(state.reference);
     const double volume    = state.volume();
@@ -56,13 +65,16 @@ namespace PlainParticle
   }
 
   /// Store what steps 8 and 9 change.
-  template <typename Particle>
+  template <typename Layout, typename Particle>
   void
-  store_moved_state(const ParticleState<double> &state, Particle &particle)
+  store_moved_state(const ParticleState<Layout, double> &state,
+                    Particle                            &particle)
   {
     const auto properties = particle.get_properties();
-    std::copy_n(state.stress.data(), 4, properties.begin() + Property::stress);
-    properties[Property::density] = state.density;
+    std::copy_n(state.stress.data(),
+                state.stress.size(),
+                properties.begin() + Layout::stress);
+    properties[Layout::density] = state.density;
     particle.set_location({state.location[0], state.location[1]});
     particle.set_reference_location({state.reference[0], state.reference[1]});
   }

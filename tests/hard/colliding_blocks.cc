@@ -35,8 +35,8 @@ namespace
         return distance > h && distance < 9 * h;
       };
       fixture.start(rectangle.mesh());
-      fixture.for_each_particle([&](auto id, auto &, auto state) {
-        state[Property::velocity] = is_left(id) ? speed : -speed;
+      fixture.change_particles([&](auto id, auto &, auto state) {
+        state[StageLayout::velocity] = is_left(id) ? speed : -speed;
       });
     }
 
@@ -64,8 +64,9 @@ namespace
       std::array<Block, 2> result;
       fixture.for_each_particle([&](auto id, const auto &position, auto state) {
         Block &block = result[is_left(id) ? 0 : 1];
-        block.mass += state[Property::mass];
-        block.momentum += state[Property::mass] * state[Property::velocity];
+        block.mass += state[StageLayout::mass];
+        block.momentum +=
+          state[StageLayout::mass] * state[StageLayout::velocity];
         block.first = std::min(block.first, position[0]);
         block.last  = std::max(block.last, position[0]);
       });
@@ -95,7 +96,7 @@ TEST_P(CollidingBlocks, KeepMomentumAndComeApartAgain)
   const double momentum = before[0].momentum + before[1].momentum;
 
   double momentum_error = 0., smallest_gap = 1e300, gap = 0.;
-  while (stage.clock.time < 1.)
+  while (stage.view().clock().time < 1.)
     {
       stage.step();
       const auto [left, right] = scene.blocks();
@@ -108,7 +109,7 @@ TEST_P(CollidingBlocks, KeepMomentumAndComeApartAgain)
   const auto   after = scene.blocks();
   const double restitution =
     (after[1].momentum - after[0].momentum) / scale / 2;
-  while (stage.clock.time < 1.4)
+  while (stage.view().clock().time < 1.4)
     stage.step();
   const auto   last  = scene.blocks();
   const double later = last[1].first - last[0].last;
@@ -132,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(
   CollidingBlocks,
   testing::Combine(testing::Values(CellType::triangle, CellType::quadrilateral),
                    testing::Values(DensityUpdate::separation,
-                                   DensityUpdate::constant)));
+                                   DensityUpdate::paper)));

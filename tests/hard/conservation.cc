@@ -30,9 +30,9 @@ namespace
         return center.norm() < radius;
       };
       fixture.start(rectangle.mesh());
-      fixture.for_each_particle([](auto, const auto &position, auto state) {
-        state[Property::velocity]     = -position[1];
-        state[Property::velocity + 1] = position[0];
+      fixture.change_particles([](auto, const auto &position, auto state) {
+        state[StageLayout::velocity]     = -position[1];
+        state[StageLayout::velocity + 1] = position[0];
       });
     }
 
@@ -42,7 +42,7 @@ namespace
       Tensor<1, 2> sum;
       fixture.for_each_particle([&sum](auto, auto &, auto state) {
         for (unsigned int d = 0; d < 2; ++d)
-          sum[d] += state[Property::mass] * state[Property::velocity + d];
+          sum[d] += state[StageLayout::mass] * state[StageLayout::velocity + d];
       });
       return sum;
     }
@@ -53,8 +53,9 @@ namespace
     {
       double sum = 0.;
       fixture.for_each_particle([&sum](auto, const auto &x, auto state) {
-        sum += state[Property::mass] * (x[0] * state[Property::velocity + 1] -
-                                        x[1] * state[Property::velocity]);
+        sum +=
+          state[StageLayout::mass] * (x[0] * state[StageLayout::velocity + 1] -
+                                      x[1] * state[StageLayout::velocity]);
       });
       return sum;
     }
@@ -77,7 +78,7 @@ TEST_P(Conservation, ASpinningDiscKeepsItsAngularMomentum)
     {
       SpinningDisc disc(GetParam(), 8u << mesh);
       const double start = disc.angular_momentum();
-      while (disc.fixture.stage->clock.time < 1.)
+      while (disc.fixture.stage->view().clock().time < 1.)
         disc.fixture.stage->step();
       errors[mesh]          = std::abs(disc.angular_momentum() / start - 1.);
       const double momentum = disc.momentum().norm() / start;
@@ -110,7 +111,7 @@ namespace
       fixture.gravity                = {};
       fixture.walls.normal_condition =
         WallParameters::NormalCondition::acceleration;
-      const double wave_speed = fixture.material.elasticity().wave_speed(
+      const double wave_speed = fixture.elasticity().wave_speed(
         fixture.material.density / volume_ratio);
       period = 2. * n_elements * h / wave_speed;
       fixture.set_time_step(relative_time_step * h / wave_speed);
@@ -123,14 +124,15 @@ namespace
       rectangle.left = rectangle.right = BoundaryRole::axis;
       rectangle.bottom = rectangle.top = BoundaryRole::axis;
       fixture.start(rectangle.mesh());
-      fixture.stage->set_initial_state(
+      fixture.stage->start_from(
         [](const unsigned int, const Point<2> &) {
-          ParticleStage::InitialState state{{}, {}, volume_ratio};
+          InitialState<2> state{{}, {}, volume_ratio};
           state.stress << -50., -50., -50., 0.; // Pa
           return state;
-        });
-      fixture.for_each_particle([&](auto, const auto &x, auto state) {
-        state[Property::velocity] = 1e-6 * wave_speed * mode(x[0]);
+        },
+        {});
+      fixture.change_particles([&](auto, const auto &x, auto state) {
+        state[StageLayout::velocity] = 1e-6 * wave_speed * mode(x[0]);
       });
     }
 
@@ -138,15 +140,16 @@ namespace
     double
     kinetic_energy_of_a_period()
     {
-      const double end     = fixture.stage->clock.time + period;
+      const double end     = fixture.stage->view().clock().time + period;
       double       largest = 0.;
-      while (fixture.stage->clock.time < end)
+      while (fixture.stage->view().clock().time < end)
         {
           fixture.stage->step();
           double energy = 0.;
           fixture.for_each_particle([&energy](auto, auto &, auto state) {
-            energy += 0.5 * state[Property::mass] * state[Property::velocity] *
-                      state[Property::velocity];
+            energy += 0.5 * state[StageLayout::mass] *
+                      state[StageLayout::velocity] *
+                      state[StageLayout::velocity];
           });
           largest = std::max(largest, energy);
         }

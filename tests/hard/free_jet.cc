@@ -30,7 +30,7 @@ namespace
       silo.fall_region_depth = 0.6;
       silo.element_size      = h;
       silo.cell_type         = GetParam();
-      fixture.start(mesh_silo(silo));
+      fixture.start(mesh_silo<2>(silo));
       start_from_rest(fixture);
     }
 
@@ -51,27 +51,27 @@ namespace
         fixture.material.density * g * 2. * outlet_half_width;
       Jet                                     jet;
       std::map<types::particle_index, double> before;
-      while (fixture.stage->clock.time < end)
+      while (fixture.stage->view().clock().time < end)
         {
           before.clear();
           fixture.for_each_particle([&](auto id, const auto &position, auto s) {
             if (position[1] < -3 * h)
-              before[id] = s[Property::velocity + 1];
+              before[id] = s[StageLayout::velocity + 1];
           });
           fixture.stage->step();
           fixture.for_each_particle([&](auto id, auto &, auto state) {
             const auto old = before.find(id);
             if (old == before.end())
               return;
-            const double mass = state[Property::mass];
-            const Eigen::Map<const SymmetricTensor4> stress(
-              &state[Property::stress]);
+            const double mass = state[StageLayout::mass];
+            const Eigen::Map<const SymmetricComponents<4>> stress(
+              &state[StageLayout::stress]);
             jet.mass += mass;
             jet.stressed_mass += stress.norm() > 0. ? mass : 0.;
             jet.stress += mass * stress.norm() / scale;
-            jet.acceleration += mass *
-                                (old->second - state[Property::velocity + 1]) /
-                                fixture.stage->clock.time_step / g;
+            jet.acceleration +=
+              mass * (old->second - state[StageLayout::velocity + 1]) /
+              fixture.stage->view().clock().time_step / g;
           });
         }
       jet.acceleration /= jet.mass;
@@ -128,14 +128,14 @@ TEST_P(FreeJet, ContentOfASmoothTubeFallsFreely)
   tube.lower     = Point<2>(0., -24. * h);
   tube.upper     = Point<2>(6. * h, 12. * h);
   tube.is_filled = [](const Point<2> &center) { return center[1] > 0.; };
-  Mesh mesh      = tube.mesh();
+  Mesh<2> mesh   = tube.mesh();
   for (unsigned int i = 0, first = 24 * (tube.n_x + 1); i < tube.n_x; ++i)
     mesh.faces.push_back({{{first + i, first + i + 1}}, BoundaryRole::outlet});
 
   fixture.walls.friction_angle = 0.;
   fixture.start(mesh);
   start_from_rest(fixture);
-  while (fixture.stage->clock.time < 0.1)
+  while (fixture.stage->view().clock().time < 0.1)
     fixture.stage->step();
   const Jet content = follow(0.4);
   std::cout << "acceleration / g " << content.acceleration

@@ -45,13 +45,15 @@ namespace
         last = std::max(last, position[0]);
       });
       const double way = 6 * h - last + excess * h;
-      fixture.stage->set_initial_state(
+      fixture.stage->start_from(
         [&](const unsigned int, const Point<2> &) {
-          ParticleStage::InitialState state{
-            Tensor<1, 2>({way, is_diagonal ? way : 0.}), {}, 0.99};
+          InitialState<2> state{Tensor<1, 2>({way, is_diagonal ? way : 0.}),
+                                {},
+                                0.99};
           state.stress << -pressure, -pressure, -pressure, 0.;
           return state;
-        });
+        },
+        {});
     }
 
     /// Largest acceleration of a particle in the next steps, over that of a
@@ -59,7 +61,8 @@ namespace
     double
     largest_acceleration(const unsigned int n_steps)
     {
-      const std::size_t n = fixture.stage->cloud.n_locally_owned_particles();
+      const std::size_t n =
+        fixture.stage->particles().n_locally_owned_particles();
       std::vector<Tensor<1, 2>> before(16 * n), after(16 * n);
       double                    largest = 0.;
       collect(before);
@@ -70,7 +73,7 @@ namespace
           for (unsigned int i = 0; i < after.size(); ++i)
             largest = std::max(largest,
                                (after[i] - before[i]).norm() /
-                                 fixture.stage->clock.time_step);
+                                 fixture.stage->view().clock().time_step);
           before = after;
         }
       return largest / (2. * pressure / (density * h));
@@ -82,7 +85,7 @@ namespace
     {
       double smallest = 1e300;
       fixture.for_each_particle([&](auto, auto &, auto state) {
-        smallest = std::min(smallest, state[Property::density] / density);
+        smallest = std::min(smallest, state[StageLayout::density] / density);
       });
       return smallest;
     }
@@ -96,7 +99,7 @@ namespace
     {
       fixture.for_each_particle([&](auto id, auto &, auto state) {
         velocities.at(id) = Tensor<1, 2>(
-          {state[Property::velocity], state[Property::velocity + 1]});
+          {state[StageLayout::velocity], state[StageLayout::velocity + 1]});
       });
     }
   };

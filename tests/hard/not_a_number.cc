@@ -42,7 +42,7 @@ TEST_P(NotANumber, InAParticlesStateStopsTheRun)
   auto &stage                 = fixture.start(Rectangle().mesh());
   for (unsigned int step = 0; step < 7; ++step)
     stage.step();
-  fixture.for_each_particle([](auto id, auto &, auto state) {
+  fixture.change_particles([](auto id, auto &, auto state) {
     if (id == 50)
       state[GetParam().property] = GetParam().value;
   });
@@ -73,12 +73,12 @@ INSTANTIATE_TEST_SUITE_P(
   States,
   NotANumber,
   testing::Values(
-    Disturbance{"mass", Property::mass, not_a_number},
-    Disturbance{"velocity", Property::velocity + 1, not_a_number},
-    Disturbance{"stress_xx", Property::stress, not_a_number},
-    Disturbance{"stress_zz", Property::stress + Component::zz, not_a_number},
-    Disturbance{"stress_xy", Property::stress + Component::xy, not_a_number},
-    Disturbance{"density", Property::density, not_a_number},
-    Disturbance{"velocity_infinite", Property::velocity, infinity},
-    Disturbance{"stress_infinite", Property::stress + 1, -infinity},
-    Disturbance{"density_zero", Property::density, 0.}));
+    Disturbance{"mass", StageLayout::mass, not_a_number},
+    Disturbance{"velocity", StageLayout::velocity + 1, not_a_number},
+    Disturbance{"stress_xx", StageLayout::stress, not_a_number},
+    Disturbance{"stress_zz", StageLayout::stress + Component::zz, not_a_number},
+    Disturbance{"stress_xy", StageLayout::stress + Component::xy, not_a_number},
+    Disturbance{"density", StageLayout::density, not_a_number},
+    Disturbance{"velocity_infinite", StageLayout::velocity, infinity},
+    Disturbance{"stress_infinite", StageLayout::stress + 1, -infinity},
+    Disturbance{"density_zero", StageLayout::density, 0.}));

@@ -28,8 +28,8 @@ namespace
     bool
     touches_axis(const unsigned int cell) const
     {
-      const Mesh  &mesh = silo.fixture.scene->mesh;
-      unsigned int n    = 0;
+      const Mesh<2> &mesh = silo.fixture.scene->mesh;
+      unsigned int   n    = 0;
       for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
         if (mesh.vertices[mesh.cells[cell].vertices[v]][0] < 1e-9)
           ++n;
@@ -39,7 +39,7 @@ namespace
     double
     radius_of(const unsigned int cell, const Point<2> &reference) const
     {
-      const Scene &scene = *silo.fixture.scene;
+      const Scene<2> &scene = *silo.fixture.scene;
       for (const auto &candidate : scene.triangulation.active_cell_iterators())
         if (candidate->active_cell_index() == cell)
           return scene.mapping.transform_unit_to_real_cell(candidate,
@@ -64,14 +64,15 @@ TEST_P(ParticlesAndCells, AtTheAxisOfRevolution)
       silo.start();
       const double            h = silo.scene.element_size;
       std::map<unsigned, int> n_moved;
-      silo.fixture.stage->set_initial_state(
+      silo.fixture.stage->start_from(
         [&](const unsigned int cell, const Point<2> &reference) {
-          ParticleStage::InitialState state{{}, SymmetricTensor4::Zero(), 1.};
-          const double                x = radius_of(cell, reference);
+          InitialState<2> state{{}, SymmetricComponents<4>::Zero(), 1.};
+          const double    x = radius_of(cell, reference);
           if (touches_axis(cell) && x < 0.3 * h && n_moved[cell]++ == 0)
             state.displacement[0] = radius * h - x;
           return state;
-        });
+        },
+        {});
       std::cout << "radius / cell " << radius << ": ";
       expect_sound_flow_until(0.4, 0.02);
     }
@@ -104,7 +105,7 @@ TEST_P(ParticlesAndCells, CellsOfExtremeAspectRatio)
     {
       if (factor > 1. && GetParam() == CellType::triangle)
         continue;
-      Mesh mesh = mesh_silo(silo.scene);
+      Mesh<2> mesh = mesh_silo<2>(silo.scene);
       for (auto &vertex : mesh.vertices)
         vertex[0] *= factor;
       silo.start(mesh);
@@ -133,20 +134,20 @@ TEST_P(ParticlesAndCells, DischargeToTheLastParticle)
   silo.scene.hopper_height          = 0.4;
   silo.fixture.walls.friction_angle = 10.;
   silo.start();
-  const auto &cloud = silo.fixture.stage->cloud;
+  const auto &cloud = silo.fixture.stage->particles();
   while (cloud.n_locally_owned_particles() > 0 &&
-         silo.fixture.stage->clock.time < 20.)
+         silo.fixture.stage->view().clock().time < 20.)
     silo.fixture.stage->step();
   std::cout << cloud.n_locally_owned_particles() << " particles left at "
-            << silo.fixture.stage->clock.time << " s" << std::endl;
+            << silo.fixture.stage->view().clock().time << " s" << std::endl;
   EXPECT_EQ(cloud.n_locally_owned_particles(), 0u);
   EXPECT_NEAR(silo.discharged_share(), 1., 1e-12);
   // Nothing is left to compute, but the clock goes on.
-  const double time = silo.fixture.stage->clock.time;
+  const double time = silo.fixture.stage->view().clock().time;
   for (unsigned int step = 0; step < 100; ++step)
     silo.fixture.stage->step();
-  EXPECT_GT(silo.fixture.stage->clock.time, time);
-  EXPECT_TRUE(std::isfinite(silo.fixture.stage->clock.time));
+  EXPECT_GT(silo.fixture.stage->view().clock().time, time);
+  EXPECT_TRUE(std::isfinite(silo.fixture.stage->view().clock().time));
 }
 
 INSTANTIATE_TEST_SUITE_P(CellTypes,

@@ -50,7 +50,7 @@ namespace
     void
     run_to_step(const unsigned long n_steps)
     {
-      while (silo.fixture.stage->clock.step < n_steps)
+      while (silo.fixture.stage->view().clock().step < n_steps)
         silo.fixture.stage->step();
       std::cout << "step " << n_steps << ": largest way / cell "
                 << largest_way() << ", kinetic / potential energy "
@@ -88,7 +88,7 @@ TEST_P(Rest, WithoutGravityNothingMoves)
   for (unsigned int step = 0; step < 100000; ++step)
     silo.fixture.stage->step();
   EXPECT_EQ(largest_way(), 0.);
-  EXPECT_EQ(silo.fixture.stage->largest_speed(), 0.);
+  EXPECT_EQ(silo.fixture.stage->view().totals().largest_speed, 0.);
 }
 
 

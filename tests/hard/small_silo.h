@@ -1,7 +1,6 @@
 #ifndef sandglass_tests_hard_small_silo_h
 #define sandglass_tests_hard_small_silo_h
 
-#include <sandglass/output/particle_totals.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>
@@ -30,25 +29,26 @@ struct SmallSilo
   }
 
   void
-  start(const Sandglass::Mesh &mesh)
+  start(const Sandglass::Mesh<2> &mesh)
   {
     fixture.formulation        = scene.formulation;
     fixture.particles_per_cell = scene.particles_per_cell;
     fixture.start(mesh);
     start_from_rest(fixture);
-    initial_mass = totals().mass();
+    initial_mass = mass_of_all(totals());
   }
 
   void
   start()
   {
-    start(Sandglass::mesh_silo(scene));
+    start(Sandglass::mesh_silo<2>(scene));
   }
 
-  Sandglass::ParticleTotals
+  /// Of the grid.
+  Sandglass::FlowTotals
   totals() const
   {
-    return {*fixture.stage, fixture.material.elasticity()};
+    return fixture.stage->view().totals();
   }
 
   /// @return the largest speed on the way over that of free fall through the
@@ -59,10 +59,12 @@ struct SmallSilo
     const double free_fall =
       std::sqrt(2. * 9.81 * (scene.fill_height() + scene.fall_region_depth));
     double largest = 0.;
-    while (fixture.stage->clock.time < time)
+    while (fixture.stage->view().clock().time < time)
       {
         fixture.stage->step();
-        largest = std::max(largest, fixture.stage->largest_speed() / free_fall);
+        largest =
+          std::max(largest,
+                   fixture.stage->view().totals().largest_speed / free_fall);
       }
     return largest;
   }
@@ -71,13 +73,13 @@ struct SmallSilo
   double
   mass_error() const
   {
-    return totals().mass() / initial_mass - 1.;
+    return mass_of_all(totals()) / initial_mass - 1.;
   }
 
   double
   discharged_share() const
   {
-    return totals().mass_discharged() / initial_mass;
+    return discharged_mass(totals()) / initial_mass;
   }
 
   /// Let it flow: nothing may be lost, thrown out or not a number.
@@ -87,7 +89,7 @@ struct SmallSilo
     const double speed = run_until(time);
     std::cout << "discharged " << discharged_share()
               << ", largest speed / free fall " << speed << ", steps "
-              << fixture.stage->clock.step << std::endl;
+              << fixture.stage->view().clock().step << std::endl;
     EXPECT_TRUE(fixture.is_finite());
     EXPECT_NEAR(mass_error(), 0., 1e-12);
     EXPECT_EQ(totals().mass_lost, 0.);

@@ -32,8 +32,9 @@ namespace
             if (is_in_flow(cell->center()))
               {
                 ++n_cells;
-                n_holes += silo.fixture.stage->cloud.blocks().first_block(
-                             cell->active_cell_index()) == ParticleBlocks::none;
+                n_holes += silo.fixture.stage->particles().blocks().first_block(
+                             cell->active_cell_index()) ==
+                           Sandglass::ParticleBlocks<StageLayout>::none;
               }
         }
       const double share = static_cast<double>(n_holes) / n_cells;

@@ -55,7 +55,7 @@ namespace
     void
     move_to(const std::vector<unsigned int> &cell_weights)
     {
-      auto next_scene = std::make_unique<Scene>(mesh,
+      auto next_scene = std::make_unique<Scene<2>>(mesh,
                                                 formulation,
                                                 particles_per_cell,
                                                 gravity,
@@ -72,7 +72,7 @@ namespace
     ParticleTotals
     totals() const
     {
-      return {*stage, material.elasticity()};
+      return {*stage, Sandglass::DruckerPrager(material).elasticity};
     }
 
     /// Sum of the mean normal forces since the start, in N.
@@ -80,13 +80,13 @@ namespace
     wall_force()
     {
       double sum = 0.;
-      for (const auto &force : stage->contact.take_mean_forces())
+      for (const auto &force : stage->@TAKE@)
         sum += force.normal_force;
       return Utilities::MPI::sum(sum, MPI_COMM_WORLD);
     }
 
     const Partitioner partitioner;
-    Mesh              mesh;
+    Mesh<2>              mesh;
   };
 
   class HandOver : public testing::TestWithParam<Choice>
@@ -127,7 +127,7 @@ TEST_P(HandOver, GoesOnAsWithoutIt)
   EXPECT_NEAR(a.kinetic_energy / b.kinetic_energy, 1., 1e-9);
   EXPECT_NEAR(a.elastic_energy / b.elastic_energy, 1., 1e-9);
   EXPECT_NEAR(a.dissipated_energy / b.dissipated_energy, 1., 1e-9);
-  EXPECT_NEAR(moved.stage->clock.time / stayed.stage->clock.time, 1., 1e-12);
+  EXPECT_NEAR(moved.stage->view().clock().time / stayed.stage->view().clock().time, 1., 1e-12);
   EXPECT_NEAR(moved.wall_force() / stayed.wall_force(), 1., 1e-9);
 }
 
@@ -138,7 +138,7 @@ TEST_P(HandOver, GoesOnAsWithoutIt)
 TEST_P(HandOver, SharesWorkOutEvenly)
 {
   Silo silo(GetParam());
-  silo.stage->cloud.edit([](auto &handler) {
+  silo.stage->edit_particles([](auto &handler) {
     std::vector<typename std::decay_t<decltype(handler)>::particle_iterator>
       above;
     for (auto particle = handler.begin(); particle != handler.end(); ++particle)
@@ -174,12 +174,12 @@ TEST(LoadBalance, IsLostWhenRanksHaveWaitedForLong)
 {
   Silo silo;
   // So that no particle seems to leave its cell, only their number counts.
-  silo.stage->clock.time_step = 0.;
+  silo.stage->view().clock().time_step = 0.;
   const bool is_alone = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
   const auto is_lost_within = [&](const unsigned int n_steps) {
     for (unsigned int n = 0; n < n_steps; n += 100)
       {
-        silo.stage->clock.step += 100;
+        silo.stage->view().clock().step += 100;
         if (is_balance_lost(*silo.stage))
           return true;
       }
@@ -188,7 +188,7 @@ TEST(LoadBalance, IsLostWhenRanksHaveWaitedForLong)
   EXPECT_FALSE(is_lost_within(400000));
   // All particles but one rank's are gone.
   if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
-    silo.stage->cloud.clear();
+    silo.stage->particles().clear();
   EXPECT_FALSE(is_lost_within(100));
   EXPECT_EQ(is_lost_within(400000), !is_alone);
   silo.stage->waiting = {};
@@ -208,8 +208,8 @@ TEST(LoadBalance, WeightsKnowHowManyParticlesLeaveTheirCells)
 
   const auto cells_of_particles = [&]() {
     std::map<types::particle_index, unsigned int> cells;
-    stage.cloud.blocks().for_each([&](const ParticleSlot &slot) {
-      cells[stage.cloud.blocks().id(slot)] = slot.cell;
+    stage.particles().blocks().for_each([&](const ParticleSlot &slot) {
+      cells[stage.particles().blocks().id(slot)] = slot.cell;
     });
     return cells;
   };
@@ -223,10 +223,10 @@ TEST(LoadBalance, WeightsKnowHowManyParticlesLeaveTheirCells)
   for (unsigned int step = 0; step < 50; ++step)
     {
       const double weight            = sum_of_weights();
-      const double time_step         = stage.clock.time_step;
-      stage.clock.time_step          = 0.;
+      const double time_step         = stage.view().clock().time_step;
+      stage.view().clock().time_step          = 0.;
       const double weight_of_leaving = weight - sum_of_weights();
-      stage.clock.time_step          = time_step;
+      stage.view().clock().time_step          = time_step;
       n_leaving += weight_of_leaving / (7. * 20.);
 
       const auto before = cells_of_particles();

@@ -9,7 +9,7 @@
 
 /// The largest of the ranks' shares of the cells' weights over their mean.
 inline double
-imbalance(const Sandglass::Scene          &scene,
+imbalance(const Sandglass::Scene<2>       &scene,
           const std::vector<unsigned int> &weights)
 {
   double own = 0.;

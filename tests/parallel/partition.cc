@@ -11,13 +11,13 @@ using namespace Sandglass;
 
 namespace
 {
-  Mesh
+  Mesh<2>
   squares()
   {
     SceneParameters silo;
     silo.cell_type    = CellType::quadrilateral;
     silo.element_size = 0.05;
-    return make_mesh(silo, MPI_COMM_WORLD);
+    return make_mesh<2>(silo, MPI_COMM_WORLD);
   }
 
   class Partition : public testing::TestWithParam<Partitioner>
@@ -27,12 +27,12 @@ namespace
       : scene(squares(),
               Formulation::plane_strain,
               4,
-              Tensor<1, dim>(),
+              Tensor<1, 2>(),
               MPI_COMM_WORLD,
               GetParam())
     {}
 
-    const Scene scene;
+    const Scene<2> scene;
   };
 } // namespace
 
@@ -51,7 +51,7 @@ TEST_P(Partition, KeepsTheMeshsOrderOfCells)
   const auto &mesh = scene.mesh;
   for (const auto &cell : scene.triangulation.active_cell_iterators())
     {
-      Point<dim> center;
+      Point<2> center;
       for (const unsigned int vertex :
            mesh.cells[cell->active_cell_index()].vertices)
         center += mesh.vertices[vertex] / 4.;

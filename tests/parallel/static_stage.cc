@@ -1,3 +1,6 @@
+#include <sandglass/continuum/plane_strain.h>
+#include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +13,7 @@ using namespace Sandglass;
 namespace
 {
   /// A small silo with a hopper, where walls meet and nodes slide and stick.
-  Mesh
+  Mesh<2>
   hopper_mesh(const CellType cell_type, const double element_size)
   {
     dealii::ParameterAcceptor::clear();
@@ -22,13 +25,13 @@ namespace
     silo.fall_region_depth = 0.2;
     silo.element_size      = element_size;
     silo.cell_type         = cell_type;
-    return make_mesh(silo, MPI_COMM_WORLD);
+    return make_mesh<2>(silo, MPI_COMM_WORLD);
   }
 
 
 
   /// So many nodes that multigrid has levels: it begins with 2000 unknowns.
-  Mesh
+  Mesh<2>
   fine_mesh(const CellType cell_type)
   {
     return hopper_mesh(cell_type, 0.015);
@@ -76,11 +79,11 @@ namespace
   /// The tangent of such a silo at a state of compression, with friction.
   struct Tangent
   {
-    explicit Tangent(const Mesh &mesh)
+    explicit Tangent(const Mesh<2> &mesh)
       : scene(mesh, Formulation::plane_strain, 4, gravity, MPI_COMM_WORLD)
       , grid(scene)
       , material(Elasticity(1e6, 0.3), 0.5)
-      , equilibrium(grid, Formulation::plane_strain, material, 1500., gravity)
+      , equilibrium(grid, material, 1500., gravity)
       , contact(grid,
                 Formulation::plane_strain,
                 fixture.walls,
@@ -89,10 +92,10 @@ namespace
     {}
 
     /// Different at each node, but the same on all ranks.
-    FilledGrid::Vector
+    FilledGrid<2>::Vector
     field(const double compression, const double waves) const
     {
-      FilledGrid::Vector result = grid.make_vector();
+      FilledGrid<2>::Vector result = grid.make_vector();
       result.zero_out_ghost_values();
       for (const auto &cell : grid.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
@@ -110,10 +113,10 @@ namespace
     }
 
     /// Of the equations with contact.
-    FilledGrid::Vector
-    residual(const FilledGrid::Vector &displacement)
+    FilledGrid<2>::Vector
+    residual(const FilledGrid<2>::Vector &displacement)
     {
-      FilledGrid::Vector forces = grid.make_vector();
+      FilledGrid<2>::Vector forces = grid.make_vector();
       equilibrium.evaluate_forces(displacement, 1., forces);
       contact.evaluate(forces, displacement, displacement);
       forces.zero_out_ghost_values();
@@ -123,11 +126,11 @@ namespace
 
     const Tensor<1, 2> gravity{{0., -9.81}};
     StaticFixture      fixture; // for the walls' parameters
-    Scene              scene;
-    FilledGrid         grid;
+    Scene<2>           scene;
+    FilledGrid<2>      grid;
     DruckerPrager      material;
-    Equilibrium        equilibrium;
-    WallContact        contact;
+    MaterialEquilibrium<PlaneStrain, DruckerPrager> equilibrium;
+    WallContact<2>                                  contact;
   };
 
   class StaticRanks : public testing::TestWithParam<CellType>
@@ -140,18 +143,18 @@ namespace
 // several ranks.
 TEST_P(StaticRanks, TangentIsTheDerivativeOfTheResidual)
 {
-  Tangent                  tangent(hopper_mesh(GetParam(), 0.05));
-  const FilledGrid::Vector u         = tangent.field(0.02, 1e-4);
-  const FilledGrid::Vector direction = tangent.field(0.3, 0.2);
+  Tangent                     tangent(hopper_mesh(GetParam(), 0.05));
+  const FilledGrid<2>::Vector u         = tangent.field(0.02, 1e-4);
+  const FilledGrid<2>::Vector direction = tangent.field(0.3, 0.2);
 
   // Central differences: with a step of 1e-7 the error of the second order is
   // 1e-10 or so, that of rounding 1e-8.
-  constexpr double   step  = 1e-7;
-  FilledGrid::Vector moved = u;
+  constexpr double      step  = 1e-7;
+  FilledGrid<2>::Vector moved = u;
   moved.zero_out_ghost_values();
   moved.add(step, direction);
   moved.update_ghost_values();
-  FilledGrid::Vector difference = tangent.residual(moved);
+  FilledGrid<2>::Vector difference = tangent.residual(moved);
   moved.zero_out_ghost_values();
   moved.add(-2. * step, direction);
   moved.update_ghost_values();
@@ -160,13 +163,13 @@ TEST_P(StaticRanks, TangentIsTheDerivativeOfTheResidual)
 
   tangent.residual(u);
   for (const auto storage :
-       {TangentMatrix::Storage::rows, TangentMatrix::Storage::columns})
+       {TangentMatrix<2>::Storage::rows, TangentMatrix<2>::Storage::columns})
     {
-      TangentMatrix matrix(tangent.grid, storage);
+      TangentMatrix<2> matrix(tangent.grid, storage);
       tangent.equilibrium.assemble_tangent(tangent.contact, 0., matrix);
-      FilledGrid::Vector product = tangent.grid.make_vector();
+      FilledGrid<2>::Vector product = tangent.grid.make_vector();
       product.zero_out_ghost_values();
-      FilledGrid::Vector argument = direction;
+      FilledGrid<2>::Vector argument = direction;
       argument.zero_out_ghost_values();
       matrix.vmult(product, argument);
       product -= difference;
@@ -183,7 +186,7 @@ TEST_P(StaticRanks, TangentIsTheDerivativeOfTheResidual)
 // the residual 1e-10 of the weight or less whatever they are.
 TEST_P(StaticRanks, StateIsThatOfOneRank)
 {
-  const Mesh mesh = fine_mesh(GetParam());
+  const Mesh<2> mesh = fine_mesh(GetParam());
   for (const unsigned int most_direct_unknowns : {100000, 0})
     {
       StaticFixture divided, alone;
@@ -208,7 +211,7 @@ TEST_P(StaticRanks, StateIsThatOfOneRank)
 
 TEST_P(StaticRanks, MultigridFindsWhatTheDirectSolverFinds)
 {
-  const Mesh    mesh = fine_mesh(GetParam());
+  const Mesh<2> mesh = fine_mesh(GetParam());
   StaticFixture direct, multigrid;
   multigrid.parameters.most_direct_unknowns = 0;
   direct.run(mesh);

@@ -43,7 +43,7 @@ namespace
     double
     strain() const
     {
-      return scale / fixture.material.elasticity().confined_modulus();
+      return scale / fixture.elasticity().confined_modulus();
     }
 
     /// Largest difference of a row's mean vertical stress from -rho g depth,
@@ -57,11 +57,12 @@ namespace
     {
       std::array<double, n_rows> sums{}, volumes{};
       fixture.for_each_particle([&](auto id, auto &, auto state) {
-        const double y      = fixture.stage->initial_position(id)[1];
-        const auto   row    = static_cast<unsigned int>(n_rows * y / height);
-        const double volume = state[Property::mass] / state[Property::density];
+        const double y   = fixture.stage->initial_position(id)[1];
+        const auto   row = static_cast<unsigned int>(n_rows * y / height);
+        const double volume =
+          state[StageLayout::mass] / state[StageLayout::density];
         volumes[row] += volume;
-        sums[row] += volume * state[Property::stress + Component::yy];
+        sums[row] += volume * state[StageLayout::stress + Component::yy];
       });
       double largest = 0.;
       for (unsigned int row = 0; row < n_rows; ++row)
@@ -80,7 +81,7 @@ namespace
     {
       double sum = 0.;
       fixture.for_each_particle([&](auto, auto &, auto state) {
-        sum += state[Property::mass] * state[Property::velocity + 1];
+        sum += state[StageLayout::mass] * state[StageLayout::velocity + 1];
       });
       return sum;
     }
@@ -89,8 +90,9 @@ namespace
     weight() const
     {
       double sum = 0.;
-      fixture.for_each_particle(
-        [&](auto, auto &, auto state) { sum += 9.81 * state[Property::mass]; });
+      fixture.for_each_particle([&](auto, auto &, auto state) {
+        sum += 9.81 * state[StageLayout::mass];
+      });
       return sum;
     }
 
@@ -118,7 +120,7 @@ TEST_P(CylinderAtRest, VerticalStressIsTheWeightAbove)
   std::cout << "largest strain                             " << strain()
             << "\nvertical stress error / (rho g H), static  " << before
             << "\nvertical stress error / (rho g H), largest " << largest
-            << "\nsteps " << fixture.stage->clock.step << std::endl;
+            << "\nsteps " << fixture.stage->view().clock().step << std::endl;
   const double ring = GetParam() == CellType::triangle ?
                         1. / (n_columns * n_columns * n_rows) :
                         0.;
@@ -134,20 +136,21 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
   while (!fixture.stage->is_finished())
     fixture.stage->step();
   double largest = 0., lateral_force = 0.;
-  for (const WallForce &force : fixture.stage->contact.take_mean_forces())
-    if (force.role == BoundaryRole::wall)
+  for (const MeanWallForce &force : fixture.take_mean_forces())
+    if (is_role(force.wall, BoundaryRole::wall))
       {
-        EXPECT_NEAR(force.tangential_force / (scale * radius), 0., 1e-14);
-        lateral_force += force.normal_force;
+        EXPECT_NEAR(force.tangential_force() / (scale * radius), 0., 1e-14);
+        lateral_force += force.normal_force();
         // The end nodes' share of the wall lies to one side of them.
         const double y = force.position[1];
         if (y < 1e-9 || y > height - 1e-9)
           continue;
         const double expected = 0.3 / 0.7 * unit_weight * (height - y);
-        largest               = std::max(largest,
-                           std::abs(force.normal_force / force.tributary_area -
-                                    expected) /
-                             scale);
+        largest =
+          std::max(largest,
+                   std::abs(force.normal_force() / force.tributary_area -
+                            expected) /
+                     scale);
       }
   const double expected_force =
     0.3 / 0.7 * unit_weight * height * height / 2. * 2. * numbers::PI * radius;
@@ -168,10 +171,10 @@ TEST_P(CylinderAtRest, TheFloorCarriesTheWeight)
   while (!fixture.stage->is_finished())
     fixture.stage->step();
   double lift = 0.;
-  for (const WallForce &force : fixture.stage->contact.take_mean_forces())
-    lift += -force.normal_force * force.normal[1] +
-            force.tangential_force * wall_tangent(force.normal)[1];
-  const double momentum_rate = axial_momentum() / fixture.stage->clock.time;
+  for (const MeanWallForce &force : fixture.take_mean_forces())
+    lift += force.force[1];
+  const double momentum_rate =
+    axial_momentum() / fixture.stage->view().clock().time;
   std::cout << "lift / weight - 1             " << lift / weight() - 1.
             << "\nrate of momentum / weight     " << momentum_rate / weight()
             << std::endl;

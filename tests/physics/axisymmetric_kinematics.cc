@@ -13,7 +13,7 @@ namespace
   constexpr double a = 0.1, b = -0.15, time_step = 1e-3;
   constexpr double width = 0.25; // of a cell
 
-  const SymmetricTensor4 stress_before(-3e3, -5e3, -2e3, 0.);
+  const SymmetricComponents<4> stress_before(-3e3, -5e3, -2e3, 0.);
 
   /// Typed by the cell type, since the motion is a template.
   template <typename CellTypeConstant>
@@ -21,7 +21,7 @@ namespace
   {
   protected:
     static constexpr CellType cell_type = CellTypeConstant::value;
-    using CellSetting = Setting<Formulation::axisymmetric, cell_type>;
+    using CellSetting = Setting<Axisymmetric, cell_type, DruckerPrager>;
 
     AxisymmetricKinematics()
     {
@@ -34,8 +34,10 @@ namespace
                                         std::cos(11. * p[0] - 7. * p[1])});
       };
       fixture.start(rectangle.mesh());
-      fixture.for_each_particle([](auto, auto &, auto state) {
-        std::copy_n(stress_before.data(), 4, state.begin() + Property::stress);
+      fixture.change_particles([](auto, auto &, auto state) {
+        std::copy_n(stress_before.data(),
+                    4,
+                    state.begin() + StageLayout::stress);
       });
     }
 
@@ -45,9 +47,9 @@ namespace
     move_to_axis(const double distance)
     {
       const CellGeometry<cell_type> geometry(*fixture.scene);
-      auto                         &cloud = fixture.stage->cloud;
-      cloud.edit([&](auto &handler) {
-        for (const auto &cell : cloud.owned_cells())
+      auto                         &stage = *fixture.stage;
+      stage.edit_particles([&](auto &handler) {
+        for (const auto &cell : stage.particles().owned_cells())
           for (const unsigned int face : cell->face_indices())
             if (cell->at_boundary(face) && cell->face(face)->boundary_id() ==
                                              boundary_id(BoundaryRole::axis))
@@ -66,30 +68,35 @@ namespace
     void
     set_velocity_and_move()
     {
-      fixture.set_mapped_velocity([](const Point<2> &position) {
-        return Tensor<1, 2>({a * position[0], b * position[1]});
-      });
-      const auto &velocity = fixture.stage->fields.mapped_velocity;
+      const NodalField<2> velocity =
+        fixture.at_nodes([](const Point<2> &position) {
+          return Tensor<1, 2>({a * position[0], b * position[1]});
+        });
       // The average of a uniform rate is that rate.
-      const CellGeometry<cell_type>            geometry(*fixture.scene);
-      VolumetricAverage<CellSetting>           average(*fixture.scene->nodes,
+      const CellGeometry<cell_type>     geometry(*fixture.scene);
+      VolumetricAverage<CellSetting>    average(*fixture.scene->nodes,
                                              geometry,
                                              0.,
                                              true);
-      const StressUpdate<DensityUpdate::paper> update(
-        fixture.material.drucker_prager(), fixture.material.density);
-      NodalSums<CellSetting> sums(geometry, 0., {});
-      average.cells->compute(fixture.stage->cloud.blocks());
-      average.compute(fixture.stage->cloud.blocks(), sums, velocity);
-      Strays strays;
-      ParticlePass<CellSetting, DensityUpdate::paper, true>(
-        geometry, update, StressIntegration::start_of_step, time_step)
-        .run(fixture.stage->cloud.change_blocks(),
-             fixture.stage->fields.acceleration, // none yet
-             velocity,
-             sums,
-             average,
-             strays);
+      const StressUpdate<DruckerPrager> update(DruckerPrager(fixture.material),
+                                               fixture.material.density,
+                                               DensityUpdate::paper);
+      NodalSums<CellSetting>            sums(geometry, 0., {});
+      average.cells->compute(fixture.stage->particles().blocks());
+      average.compute(fixture.stage->particles().blocks(), sums, velocity);
+      Strays<StageLayout> strays;
+      fixture.stage->edit_blocks([&](auto &blocks) {
+        ParticlePass<CellSetting, true>(geometry,
+                                        update,
+                                        StressIntegration::start_of_step,
+                                        time_step)
+          .run(blocks,
+               fixture.stage->nodal_fields().acceleration, // none yet
+               velocity,
+               sums,
+               average,
+               strays);
+      });
     }
 
     /**
@@ -100,18 +107,18 @@ namespace
     void
     expect_exact_rates(const double distance) const
     {
-      const Elasticity       elasticity = fixture.material.elasticity();
-      const SymmetricTensor4 rates(a, b, a, 0.);
-      const SymmetricTensor4 change =
-        elasticity.stress<double>(time_step * rates);
+      const Elasticity             elasticity = fixture.elasticity();
+      const SymmetricComponents<4> rates(a, b, a, 0.);
+      const SymmetricComponents<4> change =
+        elasticity.stress(SymmetricComponents<4>(time_step * rates));
       const double ratio =
         (1. + time_step * a) * (1. + time_step * b) * (1. + time_step * a);
       const double bound = 1e-11 + 1e-14 / distance;
 
       double largest = 0., largest_density = 0., smallest_radius = 1e300;
       fixture.for_each_particle([&](auto, const auto &position, auto state) {
-        const Eigen::Map<const SymmetricTensor4> stress(
-          &state[Property::stress]);
+        const Eigen::Map<const SymmetricComponents<4>> stress(
+          &state[StageLayout::stress]);
         smallest_radius = std::min(smallest_radius, position[0]);
         largest         = std::max(
           largest,
@@ -119,7 +126,7 @@ namespace
             change.norm());
         largest_density =
           std::max(largest_density,
-                   std::abs(state[Property::density] * ratio / 1500. - 1.));
+                   std::abs(state[StageLayout::density] * ratio / 1500. - 1.));
         EXPECT_TRUE(std::isfinite(stress.sum()));
       });
       std::cout << "nearest to the axis, in cells " << smallest_radius / width
@@ -167,9 +174,11 @@ TYPED_TEST(AxisymmetricKinematics, RatesAreThoseNextToTheAxisToo)
   for (const double distance : {1e-3, 1e-6, 1e-9, 1e-12})
     {
       this->move_to_axis(distance);
-      this->fixture.for_each_particle([](auto, auto &, auto state) {
-        std::copy_n(stress_before.data(), 4, state.begin() + Property::stress);
-        state[Property::density] = 1500.;
+      this->fixture.change_particles([](auto, auto &, auto state) {
+        std::copy_n(stress_before.data(),
+                    4,
+                    state.begin() + StageLayout::stress);
+        state[StageLayout::density] = 1500.;
       });
       this->set_velocity_and_move();
       this->expect_exact_rates(distance);

@@ -42,8 +42,8 @@ namespace
       fixture.gravity                      = {};
       fixture.walls.normal_condition =
         WallParameters::NormalCondition::acceleration;
-      wave_speed = fixture.material.elasticity().wave_speed(
-        fixture.material.density / volume_ratio);
+      wave_speed = fixture.elasticity().wave_speed(fixture.material.density /
+                                                   volume_ratio);
       fixture.set_time_step(relative_time_step * h / wave_speed);
 
       Rectangle rectangle;
@@ -62,8 +62,8 @@ namespace
     void
     set_velocity(const Function &velocity)
     {
-      fixture.for_each_particle([&](auto, const auto &point, auto state) {
-        state[Property::velocity] = velocity(point[0]);
+      fixture.change_particles([&](auto, const auto &point, auto state) {
+        state[StageLayout::velocity] = velocity(point[0]);
       });
     }
 
@@ -74,7 +74,7 @@ namespace
     {
       double sum = 0.;
       fixture.for_each_particle([&](auto, const auto &point, auto state) {
-        sum += weight(point[0]) * state[Property::velocity];
+        sum += weight(point[0]) * state[StageLayout::velocity];
       });
       return sum;
     }
@@ -88,7 +88,7 @@ namespace
     place(const std::array<double, 2> &positions)
     {
       const auto &mesh = fixture.scene->mesh;
-      fixture.stage->set_initial_state(
+      fixture.stage->start_from(
         [&](const unsigned int cell, const Point<2> &reference) {
           double center = 0.;
           for (const unsigned int vertex : mesh.cells[cell].vertices)
@@ -96,12 +96,13 @@ namespace
           const bool   is_left = center < length / 2.;
           const double position =
             is_left == (reference[0] < 0.5) ? positions[0] : positions[1];
-          ParticleStage::InitialState state{{}, {}, volume_ratio};
+          InitialState<2> state{{}, {}, volume_ratio};
           state.displacement[0] =
             h * ((is_left ? position : 1. - position) - reference[0]);
           state.stress << -50., -50., -50., 0.; // Pa
           return state;
-        });
+        },
+        {});
     }
   };
 
@@ -150,7 +151,7 @@ namespace
     for (unsigned int step = 0; step < 400; ++step)
       {
         bar.fixture.stage->step();
-        if (bar.fixture.stage->largest_speed() > 1e3 * start)
+        if (bar.fixture.stage->view().totals().largest_speed > 1e3 * start)
           return true;
       }
     return false;
@@ -169,8 +170,8 @@ TEST_P(BarStability, EndsAtThePredictedStep)
   EXPECT_TRUE(is_unstable(GetParam(), 1.01 * critical));
 
   Bar bar(2, GetParam().positions, GetParam().consistent_mass_share, critical);
-  EXPECT_NEAR(bar.fixture.stage->critical_time_step() * bar.wave_speed / h /
-                critical,
+  EXPECT_NEAR(bar.fixture.stage->view().critical_time_step(true) *
+                bar.wave_speed / h / critical,
               1.,
               0.02);
 }
@@ -213,8 +214,8 @@ namespace
         if (before * now <= 0.)
           {
             ++n_zero;
-            time = stage.clock.time +
-                   stage.clock.time_step * (now / (before - now) - 0.5);
+            time = stage.view().clock().time + stage.view().clock().time_step *
+                                                 (now / (before - now) - 0.5);
           }
         before = now;
       }

@@ -12,7 +12,7 @@ namespace
   constexpr unsigned int n_bands = 8;
 
   /// Volume averages of the stress in horizontal bands of equal height.
-  using BandStress = std::array<SymmetricTensor4, n_bands>;
+  using BandStress = std::array<SymmetricComponents<4>, n_bands>;
 
   /// A closed flat-bottomed silo, brought to rest by the static stage.
   class ClosedSilo
@@ -24,7 +24,7 @@ namespace
       scene_parameters.cell_type      = cell_type;
       scene_parameters.outlet_is_open = false;
       fixture.parameters.end_time     = 2.;
-      fixture.start(mesh_silo(scene_parameters));
+      fixture.start(mesh_silo<2>(scene_parameters));
 
       start_from_rest(fixture);
     }
@@ -35,15 +35,16 @@ namespace
       const double                top = scene_parameters.wall_height;
       BandStress                  sums;
       std::array<double, n_bands> volumes{};
-      sums.fill(SymmetricTensor4::Zero());
+      sums.fill(SymmetricComponents<4>::Zero());
       fixture.for_each_particle([&](auto id, auto &, auto state) {
         const double y = fixture.stage->initial_position(id)[1];
         const auto   band =
           std::min<unsigned int>(n_bands * y / top, n_bands - 1);
-        const double volume = state[Property::mass] / state[Property::density];
+        const double volume =
+          state[StageLayout::mass] / state[StageLayout::density];
         volumes[band] += volume;
-        sums[band] +=
-          volume * Eigen::Map<const SymmetricTensor4>(&state[Property::stress]);
+        sums[band] += volume * Eigen::Map<const SymmetricComponents<4>>(
+                                 &state[StageLayout::stress]);
       });
       for (unsigned int band = 0; band < n_bands; ++band)
         sums[band] /= volumes[band];
@@ -56,11 +57,11 @@ namespace
     {
       double mass = 0., energy = 0.;
       fixture.for_each_particle([&](auto, auto &, auto state) {
-        mass += state[Property::mass];
+        mass += state[StageLayout::mass];
         energy +=
-          0.5 * state[Property::mass] *
-          (state[Property::velocity] * state[Property::velocity] +
-           state[Property::velocity + 1] * state[Property::velocity + 1]);
+          0.5 * state[StageLayout::mass] *
+          (state[StageLayout::velocity] * state[StageLayout::velocity] +
+           state[StageLayout::velocity + 1] * state[StageLayout::velocity + 1]);
       });
       return energy / (mass * 9.81 * scene_parameters.wall_height);
     }

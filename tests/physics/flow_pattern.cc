@@ -32,9 +32,12 @@ namespace
       return center[0] > 0.9 && center[0] < 2.9 && center[1] < 0.25;
     };
     auto &stage = fixture.start(rectangle.mesh());
-    while (stage.clock.time < 0.3)
+    while (stage.view().clock().time < 0.3)
       stage.step();
-    return {stage, stagnant_displacement};
+    return {stage.view(),
+            stagnant_displacement,
+            fixture.scene->symmetry_factor,
+            MPI_COMM_WORLD};
   }
 } // namespace
 

@@ -36,9 +36,9 @@ TEST_P(FreeFall, IsExactAndStressFree)
     const Point<2> start = stage.initial_position(id);
     EXPECT_NEAR(position[0], start[0], 1e-12);
     EXPECT_NEAR(position[1], start[1] - fall, 1e-12);
-    EXPECT_NEAR(state[Property::velocity + 1] / velocity, 1., 1e-12);
+    EXPECT_NEAR(state[StageLayout::velocity + 1] / velocity, 1., 1e-12);
     for (unsigned int c = 0; c < 4; ++c)
-      EXPECT_NEAR(state[Property::stress + c] / (1500. * 9.81), 0., 1e-8);
+      EXPECT_NEAR(state[StageLayout::stress + c] / (1500. * 9.81), 0., 1e-8);
   });
 }
 

@@ -45,7 +45,7 @@ namespace
       silo.cell_type              = cell_type;
       fixture.formulation         = hopper.formulation;
       fixture.parameters.end_time = 3.;
-      fixture.start(mesh_silo(silo));
+      fixture.start(mesh_silo<2>(silo));
       transition = Point<2>(hopper.half_width, hopper.hopper_height);
       for (const auto &node : find_boundary_nodes(fixture.scene->dof_handler,
                                                   hopper.formulation,
@@ -62,7 +62,7 @@ namespace
     {
       double mass = 0.;
       fixture.for_each_particle(
-        [&](auto, auto &, auto state) { mass += state[Property::mass]; });
+        [&](auto, auto &, auto state) { mass += state[StageLayout::mass]; });
       return mass;
     }
 
@@ -70,7 +70,7 @@ namespace
     double
     corner_velocity_into_wall() const
     {
-      const double *value = fixture.stage->fields.mapped_velocity.at(
+      const double *value = fixture.stage->nodal_fields().mapped_velocity.at(
         fixture.scene->nodes->global_to_local(corner.dof));
       double largest = -1e300;
       for (const auto &support : corner.supports)
@@ -80,9 +80,9 @@ namespace
       return largest;
     }
 
-    StageFixture fixture;
-    BoundaryNode corner;
-    Point<2>     transition;
+    StageFixture    fixture;
+    BoundaryNode<2> corner;
+    Point<2>        transition;
   };
 } // namespace
 
@@ -131,8 +131,8 @@ TEST_P(HopperTest, DischargesWithoutLosingAParticle)
   std::cout << "discharged / initial mass            " << discharged / initial
             << "\nerror of the mass balance            " << balance
             << "\nv^L into the corner / sqrt(2 g e)    " << largest_into_wall
-            << "\nsteps                                " << stage.clock.step
-            << std::endl;
+            << "\nsteps                                "
+            << stage.view().clock().step << std::endl;
   EXPECT_EQ(lost, 0.);
   EXPECT_NEAR(balance, 0., 1e-12);
   EXPECT_GT(discharged / initial, 0.3);

@@ -41,8 +41,8 @@ namespace
     {
       double mass = 0., momentum = 0.;
       fixture.for_each_particle([&](auto, auto, auto state) {
-        mass += state[Property::mass];
-        momentum += state[Property::mass] * state[Property::velocity];
+        mass += state[StageLayout::mass];
+        momentum += state[StageLayout::mass] * state[StageLayout::velocity];
       });
       return momentum / mass;
     }
@@ -50,7 +50,7 @@ namespace
     double
     velocity_at(const double time)
     {
-      while (fixture.stage->clock.time < time)
+      while (fixture.stage->view().clock().time < time)
         fixture.stage->step();
       return velocity();
     }
@@ -63,9 +63,9 @@ TEST(InclinedPlane, SlidesWithTheAccelerationOfCoulombFriction)
 {
   Incline      incline(35., 20.);
   const double early_velocity = incline.velocity_at(0.1);
-  const double early          = incline.fixture.stage->clock.time;
+  const double early          = incline.fixture.stage->view().clock().time;
   const double late_velocity  = incline.velocity_at(0.6);
-  const double late           = incline.fixture.stage->clock.time;
+  const double late           = incline.fixture.stage->view().clock().time;
 
   const double expected = g * (std::sin(35. * degree) -
                                std::tan(20. * degree) * std::cos(35. * degree));

@@ -79,9 +79,8 @@ TEST_P(ColumnTest, StressIsThatOfUniaxialStrain)
 TEST_P(ColumnTest, SurfaceSettlesByTheClosedForm)
 {
   // u = rho g H^2 / (2 M) with the confined modulus M
-  const double settlement =
-    1500. * 9.81 * height * height /
-    (2. * fixture.material.elasticity().confined_modulus());
+  const double settlement = 1500. * 9.81 * height * height /
+                            (2. * fixture.elasticity().confined_modulus());
   double smallest = 1e300, largest = -1e300;
   fixture.for_each_cell([&](const auto &cell, const auto &cell_state) {
     for (const unsigned int v : cell->vertex_indices())
@@ -103,10 +102,10 @@ TEST_P(ColumnTest, SurfaceSettlesByTheClosedForm)
 TEST_P(ColumnTest, WallsCarryTheLateralStress)
 {
   double lateral_force = 0.;
-  for (const WallForce &force : fixture.state.wall_forces)
+  for (const WallForce<2> &force : fixture.state.wall_forces)
     {
       EXPECT_NEAR(force.tangential_force / (scale * width), 0., 1e-12);
-      if (force.role == BoundaryRole::wall)
+      if (is_role(force, BoundaryRole::wall))
         lateral_force += force.normal_force;
     }
   // integral of nu / (1 - nu) rho g (H - y) over the wall

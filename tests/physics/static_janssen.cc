@@ -70,10 +70,10 @@ TEST_P(JanssenTest, WallPressure)
   constexpr unsigned int n_bands = 8;
   std::vector<double>    force(n_bands), friction(n_bands), area(n_bands),
     expected(n_bands);
-  for (const WallForce &node : fixture.state.wall_forces)
+  for (const WallForce<2> &node : fixture.state.wall_forces)
     {
       const double y = node.position[1];
-      if (node.role != BoundaryRole::wall || y < lower_end || y >= upper_end)
+      if (!is_role(node, BoundaryRole::wall) || y < lower_end || y >= upper_end)
         continue;
       const auto   band = static_cast<unsigned int>(n_bands * (y - lower_end) /
                                                   (upper_end - lower_end));

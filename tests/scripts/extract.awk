@@ -1,10 +1,12 @@
-# Print the results that a check file names, ten digits each, one per line.
+# Print the results that a check file names, twelve digits each, one per line.
 #
 #   awk -v directory=OUTPUT_DIRECTORY -f extract.awk NAME.check
 #
-# Each line of the check file: FILE COLUMN SCALE [last]. The values of that
+# Lines FILE COLUMN SCALE [last | mean] of the check file: the values of that
 # column of a .csv file (or of that key of a .json file) are divided by SCALE,
-# or printed as they are if SCALE is `text`; `last` takes the last row only.
+# or printed as they are if SCALE is `text`; `last` takes the last row only,
+# `mean` the mean over the rows. `times FROM TO` leaves the rows of these times
+# to the lines below it. Each `tolerance` begins a phase, which "# phase" marks.
 
 function fail(message)
 {
@@ -19,42 +21,60 @@ function trimmed(text)
   return text
 }
 
-function scaled(text, scale, where)
+function number(text, where)
 {
-  if (scale == "text")
-    return text
   # This refuses nan and inf too.
   if (text !~ /^[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$/)
     fail(where ": \"" text "\" is not a number")
-  return sprintf("%.9e", text / scale)
+  return text + 0
 }
 
-function extract_csv(file, column, scale, rows,    path, line, fields, n, i, which, row, value)
+function scaled(text, scale, where)
+{
+  return scale == "text" ? text : sprintf("%.11e", number(text, where) / scale)
+}
+
+# Where `name` stands in the header `line`.
+function position_of(name, line, path,    fields, n, i)
+{
+  sub(/^#/, "", line)
+  n = split(line, fields, ",")
+  for (i = 1; i <= n; ++i)
+    if (trimmed(fields[i]) == name)
+      return i
+  fail(path " has no column " name ", but: " line)
+}
+
+function extract_csv(file, column, scale, rows,
+                     path, line, fields, which, time, all, used, where, value, sum)
 {
   path = directory "/" file
   if ((getline line < path) <= 0)
     fail("cannot read " path)
-  sub(/^#/, "", line)
-  n = split(line, fields, ",")
-  for (i = 1; i <= n; ++i)
-    if (trimmed(fields[i]) == column)
-      which = i
-  if (!which)
-    fail(path " has no column " column ", but: " line)
+  which = position_of(column, line, path)
+  if (to != "")
+    time = position_of("time_s", line, path)
   while ((getline line < path) > 0)
     if (trimmed(line) != "")
       {
-        ++row
+        where = path ", row " ++all
         split(line, fields, ",")
-        value = scaled(trimmed(fields[which]), scale, path ", row " row)
-        if (rows != "last")
-          print value
+        if (time && (fields[time] + 0 < from || fields[time] + 0 > to))
+          continue
+        ++used
+        value = trimmed(fields[which])
+        if (rows == "mean")
+          sum += number(value, where)
+        else if (rows != "last")
+          print scaled(value, scale, where)
       }
   close(path)
-  if (!row)
-    fail(path " has no rows")
+  if (!used)
+    fail(path " has no such rows")
   if (rows == "last")
-    print value
+    print scaled(value, scale, path)
+  if (rows == "mean")
+    print scaled(sprintf("%.17g", sum / used), scale, path)
 }
 
 function extract_json(file, key, scale,    path, line, parts, n, i, position, found)
@@ -80,11 +100,23 @@ function extract_json(file, key, scale,    path, line, parts, n, i, position, fo
 
 { sub(/#.*/, "") }
 
-# The other lines are for CMakeLists.txt and regression.sh.
-NF == 0 || $1 ~ /^(prm|label|ranks|tolerance)$/ { next }
+$1 == "times" {
+  from = number($2, FILENAME)
+  to = number($3, FILENAME)
+}
 
-NF < 3 || (NF == 4 && $4 != "last") || NF > 4 {
-  fail(FILENAME ", line " FNR ": expected FILE COLUMN SCALE [last]")
+$1 == "tolerance" {
+  if (columns && !phases)
+    fail(FILENAME ", line " FNR ": a tolerance below columns without one")
+  ++phases
+  print "# phase"
+}
+
+# The other lines are for CMakeLists.txt and regression.sh.
+NF == 0 || $1 ~ /^(prm|label|ranks|tolerance|times|restart|blind)$/ { next }
+
+NF < 3 || (NF == 4 && $4 !~ /^(last|mean)$/) || NF > 4 {
+  fail(FILENAME ", line " FNR ": expected FILE COLUMN SCALE [last | mean]")
 }
 
 $3 != "text" && $3 + 0 <= 0 {
@@ -92,12 +124,19 @@ $3 != "text" && $3 + 0 <= 0 {
 }
 
 {
-  # One word, so that numdiff shows which column a difference belongs to.
-  print "# " $1 ":" $2 " (scale " $3 ")"
+  if (!columns++ && !phases)
+    print "# phase"
+  # One word, by which regression.sh names a column that differs.
+  print "# " $1 ":" $2 ($4 ? ":" $4 : "") " (scale " $3 ")"
   if ($1 ~ /[.]json$/)
     extract_json($1, $2, $3)
   else
     extract_csv($1, $2, $3, $4)
 }
 
-END { if (failed) exit 1 }
+END {
+  if (!failed && !columns)
+    fail(FILENAME " names no column")
+  if (failed)
+    exit 1
+}

@@ -12,8 +12,8 @@ using namespace Sandglass;
 
 namespace
 {
-  const BoundaryNode *
-  node_at(const std::vector<BoundaryNode> &nodes, const Point<2> &position)
+  const BoundaryNode<2> *
+  node_at(const std::vector<BoundaryNode<2>> &nodes, const Point<2> &position)
   {
     for (const auto &node : nodes)
       if (node.position.distance(position) < 1e-12)
@@ -22,7 +22,7 @@ namespace
   }
 
   double
-  total_area(const std::vector<BoundaryNode> &nodes, const BoundaryRole role)
+  total_area(const std::vector<BoundaryNode<2>> &nodes, const BoundaryRole role)
   {
     double area = 0.;
     for (const auto &node : nodes)

@@ -39,11 +39,12 @@ namespace
         fixture.formulation == Formulation::plane_strain ? 1e3 : 0.;
       auto        uniform = std::uniform_real_distribution<double>(-0.03, 0.03);
       const auto &mesh    = fixture.scene->mesh;
-      fixture.stage->set_initial_state(
+      fixture.stage->start_from(
         [&](const unsigned int cell, const auto &) {
-          ParticleStage::InitialState state{
-            {}, SymmetricTensor4(-3e3, -5e3, -3e3, shear), volume_ratio};
-          double nearest = 1.;
+          InitialState<2> state{{},
+                                SymmetricComponents<4>(-3e3, -5e3, -3e3, shear),
+                                volume_ratio};
+          double          nearest = 1.;
           for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
             nearest =
               std::min(nearest,
@@ -52,8 +53,8 @@ namespace
             for (unsigned int d = 0; d < 2; ++d)
               state.displacement[d] = uniform(engine);
           return state;
-        });
-      fixture.stage->critical_time_step(); // makes the nodal sums
+        },
+        {});
     }
 
     /// Of the nodes inside, beside what a cell's edge transmits.
@@ -61,17 +62,17 @@ namespace
     largest_force() const
     {
       double largest = 0.;
-      fixture.for_each_node(
-        [&](const Point<2> &vertex, const unsigned int node) {
-          if (std::min(
-                {vertex[0] - 1., 2. - vertex[0], vertex[1], 1. - vertex[1]}) <
-              1e-12)
-            return;
-          const double *sums = fixture.stage->fields.sums.at(node);
-          for (unsigned int d = 0; d < 2; ++d)
-            largest =
-              std::max(largest, std::abs(sums[NodalSum::internal_force + d]));
-        });
+      fixture.for_each_node([&](const Point<2>    &vertex,
+                                const unsigned int node) {
+        if (std::min(
+              {vertex[0] - 1., 2. - vertex[0], vertex[1], 1. - vertex[1]}) <
+            1e-12)
+          return;
+        const double *sums = fixture.stage->nodal_fields().sums.at(node);
+        for (unsigned int d = 0; d < 2; ++d)
+          largest =
+            std::max(largest, std::abs(sums[NodalSum<2>::internal_force + d]));
+      });
       const double circumference =
         fixture.formulation == Formulation::axisymmetric ?
           2. * numbers::PI * 1.5 :
@@ -118,9 +119,8 @@ TEST(CellMoments, OfARing)
   const std::array<Point<2>, 3> corners{
     {Point<2>(1., 0.), Point<2>(3., 0.), Point<2>(2., 3.)}};
   const CellShape<CellType::triangle> triangle(corners);
-  EXPECT_NEAR(cell_moments(triangle,
-                           Formulation::axisymmetric,
-                           seed_points(CellType::triangle, 16))
+  EXPECT_NEAR(cell_moments<Axisymmetric>(triangle,
+                                         seed_points<CellType::triangle>(16))
                   .volume /
                 (2. * numbers::PI * 2. * 3.),
               1.,
@@ -134,9 +134,8 @@ TEST(CellMoments, OfAParallelogram)
   const std::array<Point<2>, 4> vertices{
     {Point<2>(0., 0.), Point<2>(4., 0.), Point<2>(1., 1.), Point<2>(5., 1.)}};
   const auto moments =
-    cell_moments(CellShape<CellType::quadrilateral>(vertices),
-                 Formulation::plane_strain,
-                 seed_points(CellType::quadrilateral, 9));
+    cell_moments<PlaneStrain>(CellShape<CellType::quadrilateral>(vertices),
+                              seed_points<CellType::quadrilateral>(9));
   EXPECT_NEAR(moments.volume, 4., 1e-14);
   EXPECT_NEAR(moments.mean_point[0], 0.5, 1e-14);
   EXPECT_NEAR(moments.mean_point[1], 0.5, 1e-14);

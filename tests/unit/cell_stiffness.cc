@@ -17,11 +17,11 @@ namespace
   struct StressedCells : StageFixture
   {
     using Geometry = CellGeometry<Setting::cell_type>;
-    using Field    = NodalField<dim>;
+    using Field    = NodalField<2>;
 
     StressedCells()
     {
-      formulation            = Setting::formulation;
+      formulation            = Setting::Kinematics::formulation;
       material.density       = density;
       material.poisson_ratio = 0.3;
       Rectangle rectangle;
@@ -32,12 +32,12 @@ namespace
         return point + Point<2>(0.07, -0.04);
       };
       start(rectangle.mesh());
-      for_each_particle([&](auto, const auto &, auto state) {
+      change_particles([&](auto, const auto &, auto state) {
         const bool is_stressed = uniform(engine) < 0.5;
         for (unsigned int c = 0; c < 4; ++c)
-          state[Property::stress + c] =
+          state[StageLayout::stress + c] =
             is_stressed ? -1e3 * (1. + uniform(engine)) : 0.;
-        state[Property::density] = density * (0.5 + uniform(engine));
+        state[StageLayout::density] = density * (0.5 + uniform(engine));
       });
       geometry = std::make_unique<Geometry>(*scene);
     }
@@ -56,16 +56,17 @@ namespace
     double
     work(const Field &v, const Field &u, const double smallest_density) const
     {
-      const ParticleBlocks &blocks = stage->cloud.blocks();
-      double                sum    = 0.;
+      const auto &blocks = stage->particles().blocks();
+      double      sum    = 0.;
       blocks.for_each([&](const ParticleSlot &slot) {
         const auto state = load_state(blocks[slot.block], slot.lane);
         if (state.stress[Component::yy] != 0. ||
             state.density >= smallest_density)
           {
-            const SymmetricTensor4 strain = strain_of(v, slot.cell, state);
-            const SymmetricTensor4 stress =
-              material.elasticity().stress(strain_of(u, slot.cell, state));
+            const SymmetricComponents<4> strain =
+              strain_of(v, slot.cell, state);
+            const SymmetricComponents<4> stress =
+              elasticity().stress(strain_of(u, slot.cell, state));
             sum += state.mass / state.density *
                    (strain.dot(stress) +
                     strain[Component::xy] * stress[Component::xy]);
@@ -79,16 +80,16 @@ namespace
     std::uniform_real_distribution<double> uniform;
 
   private:
-    SymmetricTensor4
-    strain_of(const Field                 &displacement,
-              const unsigned int           cell,
-              const ParticleState<double> &state) const
+    SymmetricComponents<4>
+    strain_of(const Field                              &displacement,
+              const unsigned int                        cell,
+              const ParticleState<StageLayout, double> &state) const
     {
       const auto values = Geometry::Shape::shape_values(state.reference);
       const auto gradients =
         geometry->shape(cell).shape_gradients(state.reference);
-      const auto      &nodes  = geometry->nodes(cell);
-      SymmetricTensor4 strain = SymmetricTensor4::Zero();
+      const auto            &nodes  = geometry->nodes(cell);
+      SymmetricComponents<4> strain = SymmetricComponents<4>::Zero();
       for (unsigned int i = 0; i < nodes.size(); ++i)
         {
           const double *u = displacement.at(nodes[i]);
@@ -96,7 +97,7 @@ namespace
           strain[Component::yy] += u[1] * gradients[i][1];
           strain[Component::xy] +=
             0.5 * (u[0] * gradients[i][1] + u[1] * gradients[i][0]);
-          if (Setting::formulation == Formulation::axisymmetric)
+          if (Setting::has_hoop_strain)
             strain[Component::zz] += u[0] * values[i] / state.location[0];
         }
       return strain;
@@ -107,11 +108,11 @@ namespace
   class CellStiffnessTest : public testing::Test
   {};
 
-  using Settings =
-    testing::Types<Setting<Formulation::plane_strain, CellType::triangle>,
-                   Setting<Formulation::plane_strain, CellType::quadrilateral>,
-                   Setting<Formulation::axisymmetric, CellType::triangle>,
-                   Setting<Formulation::axisymmetric, CellType::quadrilateral>>;
+  using Settings = testing::Types<
+    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
+    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
+    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
+    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
   TYPED_TEST_SUITE(CellStiffnessTest, Settings);
 } // namespace
 
@@ -120,15 +121,15 @@ TYPED_TEST(CellStiffnessTest, IsTheElasticWorkOfStiffParticles)
   StressedCells<TypeParam> cells;
   const double             smallest_density =
     CellStiffness<TypeParam>::stiff_share * density;
-  const ParticleBlocks &blocks = cells.stage->cloud.blocks();
-  NodalSums<TypeParam>  sums(*cells.geometry, smallest_density, {});
+  const auto          &blocks = cells.stage->particles().blocks();
+  NodalSums<TypeParam> sums(*cells.geometry, smallest_density, {});
   sums.cells.compute(blocks);
-  CellStiffness<TypeParam> stiffness(cells.material.elasticity(),
+  CellStiffness<TypeParam> stiffness(DruckerPrager(cells.material),
                                      *cells.geometry);
   stiffness.assemble(blocks, sums);
 
-  auto            u = cells.random_field(), v = cells.random_field();
-  NodalField<dim> product(*cells.scene->nodes);
+  auto          u = cells.random_field(), v = cells.random_field();
+  NodalField<2> product(*cells.scene->nodes);
   product.start_sum();
   const double energy = stiffness.multiply(blocks, sums, u, product);
 

@@ -10,7 +10,7 @@ using namespace Sandglass;
 namespace
 {
   /// A unit square of 12 x 12 squares with displaced vertices.
-  Mesh
+  Mesh<2>
   irregular_mesh(const CellType cell_type)
   {
     auto                                   engine = random_engine(5);
@@ -81,7 +81,7 @@ namespace
         EXPECT_EQ(geometry.find(point, cell).cell, cell) << point;
     }
 
-    const Scene    scene;
+    const Scene<2> scene;
     const Geometry geometry;
   };
 

@@ -22,7 +22,7 @@ namespace
     {
       fixture.walls.fix_bottom_corner = false;
       fixture.start(Rectangle().mesh());
-      contact      = std::make_unique<Contact>(*fixture.scene, fixture.walls);
+      contact      = std::make_unique<Contact<2>>(*fixture.scene, fixture.walls);
       sums         = std::make_unique<Sums>(*fixture.scene->nodes);
       acceleration = std::make_unique<Field>(*fixture.scene->nodes);
       mapped       = std::make_unique<Field>(*fixture.scene->nodes);
@@ -72,7 +72,7 @@ namespace
     using Sums  = NodalField<NodalSum::n_components>;
     using Field = NodalField<dim>;
 
-    std::unique_ptr<Contact> contact;
+    std::unique_ptr<Contact<2>> contact;
     std::unique_ptr<Sums>    sums;
     std::unique_ptr<Field>   acceleration, mapped;
     unsigned int             node = 0;

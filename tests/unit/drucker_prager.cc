@@ -6,6 +6,8 @@
 #include <iostream>
 #include <vector>
 
+#include "return_case.h"
+
 using namespace Sandglass;
 
 namespace
@@ -20,24 +22,24 @@ namespace
 
   struct Projected
   {
-    SymmetricTensor4    stress;
-    DruckerPrager::Case found;
-    double              dissipation;
+    SymmetricComponents<4> stress;
+    ReturnCase             found;
+    double                 dissipation;
   };
 
   Projected
-  project(const SymmetricTensor4 &trial)
+  project(const SymmetricComponents<4> &trial)
   {
-    Projected result{trial, DruckerPrager::Case::elastic, 0.};
-    result.found       = material.classify(trial);
+    Projected result{trial, ReturnCase::elastic, 0.};
     result.dissipation = material.project(result.stress);
+    result.found       = case_of(trial, result.stress);
     return result;
   }
 
   void
-  expect_near(const SymmetricTensor4 &actual,
-              const SymmetricTensor4 &expected,
-              const double            scale)
+  expect_near(const SymmetricComponents<4> &actual,
+              const SymmetricComponents<4> &expected,
+              const double                  scale)
   {
     for (int c = 0; c < 4; ++c)
       EXPECT_NEAR(actual[c] / scale, expected[c] / scale, 1e-14) << c;
@@ -59,9 +61,9 @@ TEST(DruckerPrager, KeepsAdmissibleStress)
 {
   // p = 1000, s = (-200, 200, 0, 100): s:s = 80000 + 20000, q^2 = 150000;
   // q = 387 < 1250
-  const SymmetricTensor4 trial(-1200., -800., -1000., 100.);
-  const Projected        result = project(trial);
-  EXPECT_EQ(result.found, DruckerPrager::Case::elastic);
+  const SymmetricComponents<4> trial(-1200., -800., -1000., 100.);
+  const Projected              result = project(trial);
+  EXPECT_EQ(result.found, ReturnCase::elastic);
   EXPECT_EQ(result.stress, trial);
   EXPECT_EQ(result.dissipation, 0.);
 }
@@ -72,10 +74,10 @@ TEST(DruckerPrager, ScalesTheDeviatorBack)
 {
   // p = 1000, s = (-1000, 1000, 0, 1000): s:s = 2e6 + 2e6, q^2 = 6e6;
   // the deviator shrinks by r = 1250 / sqrt(6e6)
-  const double           r = 1250. / std::sqrt(6e6);
-  const SymmetricTensor4 trial(-2000., 0., -1000., 1000.);
-  const Projected        result = project(trial);
-  EXPECT_EQ(result.found, DruckerPrager::Case::yielding);
+  const double                 r = 1250. / std::sqrt(6e6);
+  const SymmetricComponents<4> trial(-2000., 0., -1000., 1000.);
+  const Projected              result = project(trial);
+  EXPECT_EQ(result.found, ReturnCase::yielding);
   expect_near(result.stress,
               {-1000. - 1000. * r, -1000. + 1000. * r, -1000., 1000. * r},
               1000.);
@@ -92,24 +94,25 @@ TEST(DruckerPrager, DropsStressOfSeparatedMaterial)
 {
   // p = -100
   const Projected pulled = project({500., -300., 100., 40.});
-  EXPECT_EQ(pulled.found, DruckerPrager::Case::separated);
-  EXPECT_EQ(pulled.stress, SymmetricTensor4(SymmetricTensor4::Zero()));
+  EXPECT_EQ(pulled.found, ReturnCase::separated);
+  EXPECT_EQ(pulled.stress,
+            SymmetricComponents<4>(SymmetricComponents<4>::Zero()));
   EXPECT_EQ(pulled.dissipation, 0.);
   // p = 0 with shear is outside of the surface as well
-  EXPECT_EQ(project({0., 0., 0., 1.}).found, DruckerPrager::Case::separated);
+  EXPECT_EQ(project({0., 0., 0., 1.}).found, ReturnCase::separated);
   // no stress at all is admissible
-  EXPECT_EQ(project({0., 0., 0., 0.}).found, DruckerPrager::Case::elastic);
+  EXPECT_EQ(project({0., 0., 0., 0.}).found, ReturnCase::elastic);
 }
 
 
 
 TEST(DruckerPrager, DerivativeAgreesWithDifferences)
 {
-  const std::vector<std::pair<SymmetricTensor4, DruckerPrager::Case>> cases = {
-    {{-1200., -800., -1000., 100.}, DruckerPrager::Case::elastic},
-    {{-2000., 0., -1000., 1000.}, DruckerPrager::Case::yielding},
-    {{-300., -4000., -700., -900.}, DruckerPrager::Case::yielding},
-    {{500., -300., 100., 40.}, DruckerPrager::Case::separated}};
+  const std::vector<std::pair<SymmetricComponents<4>, ReturnCase>> cases = {
+    {{-1200., -800., -1000., 100.}, ReturnCase::elastic},
+    {{-2000., 0., -1000., 1000.}, ReturnCase::yielding},
+    {{-300., -4000., -700., -900.}, ReturnCase::yielding},
+    {{500., -300., 100., 40.}, ReturnCase::separated}};
   for (const auto &[trial, expected_case] : cases)
     {
       ASSERT_EQ(project(trial).found, expected_case);
@@ -117,7 +120,8 @@ TEST(DruckerPrager, DerivativeAgreesWithDifferences)
       Eigen::Matrix4d  differences;
       for (int c = 0; c < 4; ++c)
         {
-          const SymmetricTensor4 change = step * SymmetricTensor4::Unit(c);
+          const SymmetricComponents<4> change =
+            step * SymmetricComponents<4>::Unit(c);
           differences.col(c) =
             (project(trial + change).stress - project(trial - change).stress) /
             (2. * step);

@@ -1,4 +1,4 @@
-#include <sandglass/flow/updated_lagrangian/gradient_operator.h>
+#include <sandglass/continuum/in_plane_gradient_operator.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ namespace
     {
       for (unsigned int v = 0; v < n_dofs / 2; ++v)
         at_start.set_node(v,
-                          {uniform(engine), uniform(engine)},
+                          std::array<double, 2>{
+                            {uniform(engine), uniform(engine)}},
                           has_hoop ? 1. + uniform(engine) : 0.);
       H = 0.1 * random<5, 1>();
       if (!has_hoop)
@@ -40,7 +41,7 @@ namespace
     std::mt19937                           engine = random_engine();
     std::uniform_real_distribution<double> uniform{-1., 1.};
     Gradient5                              H;
-    GradientOperator                       at_start, moved;
+    InPlaneGradientOperator                at_start, moved;
     /// Displacement increments of the nodes, random as well.
     Eigen::Matrix<double, n_dofs, 1> u;
   };
@@ -102,7 +103,7 @@ namespace
   }
 } // namespace
 
-TEST(GradientOperator, ForcesAndStiffnessAreItsTransposes)
+TEST(InPlaneGradientOperator, ForcesAndStiffnessAreItsTransposes)
 {
   for (const bool has_hoop : {false, true})
     {
@@ -113,7 +114,7 @@ TEST(GradientOperator, ForcesAndStiffnessAreItsTransposes)
 
 
 
-TEST(GradientOperator, FollowsTheConfiguration)
+TEST(InPlaneGradientOperator, FollowsTheConfiguration)
 {
   for (const bool has_hoop : {false, true})
     {

@@ -1,8 +1,8 @@
 #include <deal.II/base/tensor.h>
 
+#include <sandglass/continuum/green_naghdi.h>
+#include <sandglass/continuum/in_plane_increment.h>
 #include <sandglass/material/elasticity.h>
-#include <sandglass/material/green_naghdi.h>
-#include <sandglass/flow/particle_in_cell/deformation.h>
 
 #include <gtest/gtest.h>
 
@@ -35,14 +35,14 @@ namespace
       Tensor<2, 2> middle = 0.5 * gradient;
       middle[0][0] += 1.;
       middle[1][1] += 1.;
-      const DeformationIncrement strain(gradient * invert(middle), 0.);
+      const InPlaneIncrement<double> strain(gradient * invert(middle), 0.);
       stress = rotate(stress, rotation.step) +
                rotate(elasticity.stress(strain.strain), rotation.half);
       deformation = after;
     }
 
-    Eigen::Matrix2d  deformation = Eigen::Matrix2d::Identity();
-    SymmetricTensor4 stress      = SymmetricTensor4::Zero();
+    Eigen::Matrix2d        deformation = Eigen::Matrix2d::Identity();
+    SymmetricComponents<4> stress      = SymmetricComponents<4>::Zero();
   };
 
   /**
@@ -116,7 +116,7 @@ TEST(GreenNaghdi, RigidTurnsCarryTheStressOfAStretchedBody)
   stretch[1][1] = -0.2;
   stretch[0][1] = 0.3;
   point.step(stretch);
-  const SymmetricTensor4 start = point.stress;
+  const SymmetricComponents<4> start = point.stress;
 
   constexpr unsigned int n_steps = 1000;
   const double           angle   = 20. * dealii::numbers::PI / n_steps;
@@ -127,10 +127,10 @@ TEST(GreenNaghdi, RigidTurnsCarryTheStressOfAStretchedBody)
   for (unsigned int step = 1; step <= n_steps; ++step)
     {
       point.step(turn);
-      const SymmetricTensor4 expected =
+      const SymmetricComponents<4> expected =
         rotate(start,
-               StressRotation<double>{std::cos(2. * step * angle),
-                                      std::sin(2. * step * angle)});
+               InPlaneRotation<double>{std::cos(2. * step * angle),
+                                       std::sin(2. * step * angle)});
       ASSERT_NEAR((point.stress - expected).norm() / start.norm(), 0., 1e-10)
         << "step " << step;
     }

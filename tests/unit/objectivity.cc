@@ -1,7 +1,7 @@
 #include <deal.II/base/tensor.h>
 
+#include <sandglass/continuum/in_plane_increment.h>
 #include <sandglass/material/elasticity.h>
-#include <sandglass/flow/particle_in_cell/deformation.h>
 
 #include <gtest/gtest.h>
 
@@ -16,12 +16,12 @@ namespace
   const Elasticity elasticity(1e6, 0.3);
 
   /// Stress after a step, without yielding, as in the particle stage.
-  SymmetricTensor4
-  after_step(const SymmetricTensor4 &stress,
-             const Tensor<2, 2>     &gradient,
-             const StressIntegration integration)
+  SymmetricComponents<4>
+  after_step(const SymmetricComponents<4> &stress,
+             const Tensor<2, 2>           &gradient,
+             const StressIntegration       integration)
   {
-    const DeformationIncrement increment(gradient, 0., integration);
+    const InPlaneIncrement<double> increment(gradient, 0., integration);
     return rotate(stress, increment.rotation) +
            elasticity.stress(increment.strain);
   }
@@ -37,8 +37,8 @@ namespace
     gradient[1][0]                  = std::sin(angle);
     gradient[0][1]                  = -gradient[1][0];
 
-    const SymmetricTensor4 start(-3e3, -5e3, -2e3, 7e2);
-    SymmetricTensor4       stress = start;
+    const SymmetricComponents<4> start(-3e3, -5e3, -2e3, 7e2);
+    SymmetricComponents<4>       stress = start;
     for (unsigned int step = 0; step < n_steps; ++step)
       stress = after_step(stress, gradient, integration);
     return (stress - start).norm() / start.norm();
@@ -51,10 +51,10 @@ namespace
                         const StressIntegration integration)
   {
     Tensor<2, 2> gradient;
-    gradient[0][1]          = 20. / n_steps;
-    const double     G      = elasticity.shear_modulus;
-    SymmetricTensor4 stress = SymmetricTensor4::Zero();
-    double           error  = 0.;
+    gradient[0][1]                = 20. / n_steps;
+    const double           G      = elasticity.shear_modulus;
+    SymmetricComponents<4> stress = SymmetricComponents<4>::Zero();
+    double                 error  = 0.;
     for (unsigned int step = 1; step <= n_steps; ++step)
       {
         stress = after_step(stress, gradient, integration);

@@ -80,7 +80,7 @@ namespace
     SmallRun second_part(silo);
     second_part.resume();
 
-    EXPECT_EQ(second_part.stage->clock.step, whole.stage->clock.step);
+    EXPECT_EQ(second_part.stage->view().clock().step, whole.stage->view().clock().step);
     EXPECT_EQ(state_of_particles(*second_part.stage),
               state_of_particles(*whole.stage));
     for (const std::string name :
@@ -94,7 +94,7 @@ namespace
         << name;
     // Some was discharged before, and some after the checkpoint.
     EXPECT_GT(second_part.stage->removed_mass().discharged, 0.);
-    return second_part.stage->cloud.n_locally_owned_particles();
+    return second_part.stage->particles().n_locally_owned_particles();
   }
 
 
@@ -150,7 +150,7 @@ namespace
     silo.stage.end_time = 0.12;
     SmallRun run(silo);
     run.resume();
-    EXPECT_NEAR(run.stage->clock.time, 0.12, 1e-12);
+    EXPECT_NEAR(run.stage->view().clock().time, 0.12, 1e-12);
     const auto rows = read_lines(silo.output.directory + "/history.csv");
     EXPECT_EQ(rows.size(), 1 + 13);
   }

@@ -53,9 +53,9 @@ namespace
   void
   give_state(ParticleStage &stage)
   {
-    stage.set_initial_state([](const unsigned int, const Point<dim> &) {
-      return ParticleStage::InitialState{Tensor<1, dim>({0., -sink}),
-                                         SymmetricTensor4(-1., -2., -4., 8.),
+    stage.start_from([](const unsigned int, const Point<dim> &) {
+      return Sandglass::InitialState<2>{Tensor<1, dim>({0., -sink}),
+                                         SymmetricComponents<4>(-1., -2., -4., 8.),
                                          1.};
     });
   }
@@ -72,7 +72,7 @@ namespace
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
 
-    const unsigned int n = run.stage->cloud.n_locally_owned_particles();
+    const unsigned int n = run.stage->particles().n_locally_owned_particles();
     ASSERT_GT(n, 100);
     ASSERT_EQ(vtu->GetNumberOfPoints(), n);
     EXPECT_EQ(vtu->GetNumberOfCells(), n);
@@ -173,7 +173,7 @@ namespace
     double sum         = 0.;
     for (int c = 0; c < vtu->GetNumberOfCells(); ++c)
       sum += n_particles->GetTuple1(c);
-    EXPECT_EQ(sum, run.stage->cloud.n_locally_owned_particles());
+    EXPECT_EQ(sum, run.stage->particles().n_locally_owned_particles());
   }
 
 

@@ -158,8 +158,8 @@ namespace
     SmallSilo silo;
     silo.stage.end_time = 0.;
     SmallRun    run(silo);
-    StaticState state;
-    state.wall_forces = run.stage->contact.take_mean_forces();
+    StaticState<2> state;
+    state.wall_forces = run.stage->@TAKE@;
     for (auto &force : state.wall_forces)
       force.normal_force = 500. * force.tributary_area;
     state.effort = {90, false, 7, 30};

@@ -102,7 +102,7 @@ namespace Sandglass
     /// Run from the start to `end_time`, or if that is less, to the end.
     void
     run(const double       end_time     = 1e300,
-        const StaticState *static_state = nullptr)
+        const StaticState<2> *static_state = nullptr)
     {
       prepare_output_directory(silo.output, false, silo.communicator, log);
       observers.start(*stage, static_state);
@@ -129,7 +129,7 @@ namespace Sandglass
     void
     go_on(const double end_time)
     {
-      while (!stage->is_finished() && stage->clock.time < end_time)
+      while (!stage->is_finished() && stage->view().clock().time < end_time)
         {
           {
             TimerOutput::Scope scope(timings, Timing::particle_loop);
@@ -142,7 +142,7 @@ namespace Sandglass
     }
 
     SmallSilo                     &silo;
-    const Scene                    scene;
+    const Scene<2>                    scene;
     Log                            log;
     TimerOutput                    timings;
     Observers                      observers;

@@ -33,7 +33,7 @@ namespace
   TEST(WallLines, both_sides_of_a_whole_silo)
   {
     // A hopper with a bend on each side of an outlet from x = -1 to 1.
-    Mesh mesh;
+    Mesh<2> mesh;
     mesh.vertices = {{-1., 0.}, {1., 0.}, {-2., 2.}, {-3., 2.}, {4., 4.}};
     mesh.faces    = {{{{3, 2}}, BoundaryRole::hopper},
                      {{{2, 0}}, BoundaryRole::hopper},
@@ -63,10 +63,10 @@ namespace
 
 
   /// Forces of the given tractions at all nodes of walls.
-  std::vector<WallForce>
+  std::vector<WallForce<2>>
   make_forces(const SmallRun &run, const double normal, const double tangential)
   {
-    std::vector<WallForce> forces = run.stage->contact.take_mean_forces();
+    std::vector<WallForce<2>> forces = run.stage->@TAKE@;
     for (auto &force : forces)
       {
         force.normal_force     = normal * force.tributary_area;

@@ -21,11 +21,14 @@ namespace
   class ParticleSplittingTest : public testing::Test
   {
   protected:
-    using Splitting = ParticleSplitting<TypeParam>;
+    using Splitting  = ParticleSplitting<TypeParam>;
+    using Kinematics = typename TypeParam::Kinematics;
+    using Configuration =
+      InitialConfiguration<Kinematics, TypeParam::cell_type>;
 
     ParticleSplittingTest()
     {
-      fixture.formulation = TypeParam::formulation;
+      fixture.formulation = Kinematics::formulation;
       Rectangle rectangle;
       rectangle.cell_type = TypeParam::cell_type;
       rectangle.lower     = Point<2>(1., 0.);
@@ -34,8 +37,7 @@ namespace
       geometry =
         std::make_unique<CellGeometry<TypeParam::cell_type>>(*fixture.scene);
       initial_configuration =
-        std::make_unique<InitialConfiguration<TypeParam::cell_type>>(
-          *fixture.scene, *geometry);
+        std::make_unique<Configuration>(*fixture.scene, *geometry);
       sums = std::make_unique<NodalSums<TypeParam>>(*geometry,
                                                     0.,
                                                     std::vector<Point<2>>());
@@ -47,11 +49,11 @@ namespace
     {
       auto         random = random_engine();
       const double range  = random.max();
-      fixture.for_each_particle([&](auto, const auto &, auto state) {
-        for (unsigned int p = 0; p < Property::n_properties; ++p)
-          if (p != Property::mass && p != Property::density)
+      fixture.change_particles([&](auto, const auto &, auto state) {
+        for (unsigned int p = 0; p < StageLayout::n_properties; ++p)
+          if (p != StageLayout::mass && p != StageLayout::density)
             state[p] = random() / range - 0.5;
-        state[Property::density] *= 1. + 0.1 * random() / range;
+        state[StageLayout::density] *= 1. + 0.1 * random() / range;
       });
       stretch(Tensor<1, 2>({1., 0.}));
     }
@@ -60,41 +62,48 @@ namespace
     void
     stretch(const Tensor<1, 2> &direction)
     {
-      fixture.set_mapped_velocity([&](const Point<2> &position) {
-        return (position * direction) * direction;
-      });
+      velocity = std::make_unique<NodalField<2>>(
+        fixture.at_nodes([&](const Point<2> &position) {
+          return (position * direction) * direction;
+        }));
     }
 
     /// Multiply the masses of particles with an even id.
     void
     enlarge(const double factor)
     {
-      fixture.for_each_particle([&](auto id, const auto &, auto state) {
+      fixture.change_particles([&](auto id, const auto &, auto state) {
         if (id % 2 == 0)
-          state[Property::mass] *= factor;
+          state[StageLayout::mass] *= factor;
       });
+    }
+
+    Splitting
+    make_splitting(const bool is_on) const
+    {
+      return {*geometry,
+              *initial_configuration,
+              fixture.material.density,
+              fixture.material.density,
+              is_on};
     }
 
     /// @return how many particles there are more.
     unsigned int
-    split(const SplitParticles when = SplitParticles::always)
+    split()
     {
-      ParticleBlocks    &blocks = fixture.stage->cloud.change_blocks();
-      const unsigned int before = blocks.n_particles();
-      sums->cells.compute(blocks);
-      Splitting splitting(*geometry,
-                          *initial_configuration,
-                          fixture.scene->mesh,
-                          fixture.material.density,
-                          fixture.material.density,
-                          when);
-      if (splitting.is_on())
-        splitting.split(blocks,
-                        fixture.stage->fields.mapped_velocity,
-                        [&](const unsigned int cell) {
-                          sums->cells.compute(blocks, cell);
-                        });
-      return blocks.n_particles() - before;
+      unsigned int n_more = 0;
+      fixture.stage->edit_blocks([&](auto &blocks) {
+        const unsigned int before = blocks.n_particles();
+        sums->cells.compute(blocks);
+        make_splitting(true).split(blocks,
+                                   *velocity,
+                                   [&](const unsigned int cell) {
+                                     sums->cells.compute(blocks, cell);
+                                   });
+        n_more = blocks.n_particles() - before;
+      });
+      return n_more;
     }
 
     Totals
@@ -102,19 +111,19 @@ namespace
     {
       Totals result{};
       fixture.for_each_particle([&](auto, const auto &x, auto state) {
-        const double  m      = state[Property::mass];
-        const double *v      = &state[Property::velocity];
-        const double  volume = m / state[Property::density];
+        const double  m      = state[StageLayout::mass];
+        const double *v      = &state[StageLayout::velocity];
+        const double  volume = m / state[StageLayout::density];
         const Totals  own    = {{m,
                                  m * x[0],
                                  m * x[1],
                                  m * v[0],
                                  m * v[1],
                                  m * (x[0] * v[1] - x[1] * v[0]),
-                                 volume * state[Property::stress],
-                                 volume * state[Property::stress + 1],
-                                 volume * state[Property::stress + 2],
-                                 volume * state[Property::stress + 3]}};
+                                 volume * state[StageLayout::stress],
+                                 volume * state[StageLayout::stress + 1],
+                                 volume * state[StageLayout::stress + 2],
+                                 volume * state[StageLayout::stress + 3]}};
         for (unsigned int i = 0; i < own.size(); ++i)
           result[i] += own[i];
       });
@@ -123,16 +132,17 @@ namespace
 
     StageFixture                                        fixture;
     std::unique_ptr<CellGeometry<TypeParam::cell_type>> geometry;
-    std::unique_ptr<InitialConfiguration<TypeParam::cell_type>>
-                                          initial_configuration;
+    std::unique_ptr<Configuration>                      initial_configuration;
+    /// v^L
+    std::unique_ptr<NodalField<2>>        velocity;
     std::unique_ptr<NodalSums<TypeParam>> sums;
   };
 
-  using Settings =
-    testing::Types<Setting<Formulation::plane_strain, CellType::triangle>,
-                   Setting<Formulation::plane_strain, CellType::quadrilateral>,
-                   Setting<Formulation::axisymmetric, CellType::triangle>,
-                   Setting<Formulation::axisymmetric, CellType::quadrilateral>>;
+  using Settings = testing::Types<
+    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
+    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
+    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
+    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
   TYPED_TEST_SUITE(ParticleSplittingTest, Settings);
 } // namespace
 
@@ -156,12 +166,12 @@ TYPED_TEST(ParticleSplittingTest, HalvesLieInTheCellAlongTheExtension)
   this->stretch(Tensor<1, 2>({0.6, 0.8}));
   this->enlarge(2.5);
   this->split();
-  const ParticleBlocks           &blocks = this->fixture.stage->cloud.blocks();
+  const auto &blocks = this->fixture.stage->particles().blocks();
   std::set<types::particle_index> ids;
   unsigned int                    n_pairs = 0;
   blocks.for_each([&](const ParticleSlot &slot) {
-    const Parcel particle = blocks.parcel(slot);
-    const auto  &shape    = this->geometry->shape(slot.cell);
+    const auto  particle = blocks.parcel(slot);
+    const auto &shape    = this->geometry->shape(slot.cell);
     EXPECT_TRUE(ids.insert(particle.id).second);
     EXPECT_TRUE(
       CellGeometry<TypeParam::cell_type>::is_inside(particle.reference_point,
@@ -192,8 +202,8 @@ TYPED_TEST(ParticleSplittingTest, SumsStayThoseOfTheParticles)
 {
   this->enlarge(2.5);
   this->split();
-  const ParticleBlocks &blocks = this->fixture.stage->cloud.blocks();
-  NodalSums<TypeParam>  anew(*this->geometry, 0., {});
+  const auto          &blocks = this->fixture.stage->particles().blocks();
+  NodalSums<TypeParam> anew(*this->geometry, 0., {});
   anew.cells.compute(blocks);
   for_each_filled_cell(blocks, [&](const unsigned int cell) {
     for (unsigned int i = 0; i < anew[cell].values.size(); ++i)
@@ -213,8 +223,8 @@ TYPED_TEST(ParticleSplittingTest, MuchTooLargeParticlesEndNearTheirShare)
   unsigned int n = 0, n_large = 0;
   this->fixture.for_each_particle([&](auto id, const auto &, auto state) {
     const double share =
-      state[Property::mass] / (this->fixture.material.density *
-                               this->initial_configuration->volume(id));
+      state[StageLayout::mass] / (this->fixture.material.density *
+                                  this->initial_configuration->volume(id));
     ++n;
     n_large += share > 4.;
   });
@@ -229,21 +239,84 @@ TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
   EXPECT_EQ(this->split(), 0u) << "particles as at the start";
 
   this->enlarge(2.5);
-  EXPECT_EQ(this->split(SplitParticles::never), 0u);
-  EXPECT_EQ(this->split(SplitParticles::where_needed), 0u)
-    << "all cells have the same size";
+  EXPECT_FALSE(this->make_splitting(false).is_on());
 
-  this->fixture.for_each_particle([&](auto, const auto &, auto state) {
-    state[Property::density] = 0.99 * this->fixture.material.density;
+  this->fixture.change_particles([&](auto, const auto &, auto state) {
+    state[StageLayout::density] = 0.99 * this->fixture.material.density;
   });
   EXPECT_EQ(this->split(), 0u) << "separated particles";
 }
 
 
 
+// On a mesh of one size not; where a row of cells is a hundredth as high, so
+// that it holds particles a hundredth as large, it is.
+TYPED_TEST(ParticleSplittingTest, IsNeededWhereCellsDifferInVolume)
+{
+  EXPECT_FALSE(
+    needs_splitting(this->fixture.scene->mesh, *this->initial_configuration));
+
+  Mesh<2> mesh = this->fixture.scene->mesh;
+  for (auto &vertex : mesh.vertices)
+    if (vertex[1] == 0.25)
+      vertex[1] = 0.0025;
+  const auto needs_it = [&]() {
+    this->fixture.start(mesh);
+    const CellGeometry<TypeParam::cell_type> geometry(*this->fixture.scene);
+    const InitialConfiguration<typename TypeParam::Kinematics,
+                               TypeParam::cell_type>
+      configuration(*this->fixture.scene, geometry);
+    return needs_splitting(mesh, configuration);
+  };
+  EXPECT_TRUE(needs_it());
+
+  // Empty cells don't count.
+  for (auto &cell : mesh.cells)
+    for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
+      if (mesh.vertices[cell.vertices[v]][1] == 0.)
+        cell.is_filled = false;
+  EXPECT_FALSE(needs_it());
+}
+
+
+
+// Particles of large cells are put into small ones below them.
+TYPED_TEST(ParticleSplittingTest, TheStageSplitsWhereItIsNeededAndAllowed)
+{
+  auto      &fixture       = this->fixture;
+  const auto n_more_halves = [&](const double         height_of_lowest_row,
+                                 const SplitParticles when) {
+    Mesh<2> mesh = fixture.scene->mesh;
+    for (auto &vertex : mesh.vertices)
+      if (vertex[1] > 0. && vertex[1] < 0.3)
+        vertex[1] = height_of_lowest_row;
+    fixture.parameters.split_particles = when;
+    auto              &stage           = fixture.start(mesh);
+    const unsigned int before          = stage.view().n_particles();
+    stage.start_from(
+      [&](const unsigned int cell, const Point<2> &reference) {
+        const CellGeometry<TypeParam::cell_type> geometry(*fixture.scene);
+        InitialState<2> state{{}, SymmetricComponents<4>::Zero(), 0.99};
+        const double    y = geometry.shape(cell).to_real(reference)[1];
+        if (y > height_of_lowest_row && y < 0.5)
+          state.displacement[1] = 0.6 * height_of_lowest_row - y;
+        return state;
+      },
+      {});
+    for (unsigned int step = 0; step < 40; ++step)
+      stage.step();
+    return stage.view().n_particles() - before;
+  };
+  EXPECT_GT(n_more_halves(0.05, SplitParticles::where_needed), 20u);
+  EXPECT_EQ(n_more_halves(0.05, SplitParticles::never), 0u);
+  EXPECT_EQ(n_more_halves(0.25, SplitParticles::where_needed), 0u);
+}
+
+
+
 TYPED_TEST(ParticleSplittingTest, HalvesHaveIdsOfTheirOwn)
 {
-  const auto n = this->fixture.stage->cloud.blocks().n_particles();
+  const auto n = this->fixture.stage->particles().blocks().n_particles();
   std::vector<types::particle_index> last = {5};
   std::set<types::particle_index>    all  = {5};
   for (unsigned int generation = 0; generation < 10; ++generation)

@@ -43,7 +43,9 @@ TEST(QuadrilateralShape, finds_reference_coordinates_from_any_start)
         const Shape    shape    = square(twist);
         const Point<2> expected = draw(), start = draw();
         const auto     found =
-          shape.to_reference(pair_of(shape.to_real(expected)), pair_of(start));
+          shape.to_reference(Sandglass::components_of<2>(
+                               shape.to_real(expected)),
+                             Sandglass::components_of<2>(start));
         // Positions of the order of 1 m are rounded to some 1e-14 of the edge.
         for (unsigned int d = 0; d < 2; ++d)
           EXPECT_NEAR(found[d], expected[d], 1e-12) << "twist " << twist;
@@ -55,16 +57,17 @@ TEST(QuadrilateralShape, finds_reference_coordinates_from_any_start)
 /// What the loop computes without the shape functions' gradients.
 TEST(QuadrilateralShape, derivatives_are_those_of_the_shape_functions)
 {
-  const Shape                       shape = square(0.3);
-  const Pair<double>                point{{0.2, 0.7}};
-  const std::array<Pair<double>, 4> values{
+  const Shape shape = square(0.3);
+  using Pair        = std::array<double, 2>;
+  const Pair                point{{0.2, 0.7}};
+  const std::array<Pair, 4> values{
     {{{1., -2.}}, {{3., 0.5}}, {{-1., 4.}}, {{2., 2.}}}};
-  const Pair<double> force{{3., -5.}};
+  const Pair force{{3., -5.}};
 
-  const auto   of_nodes  = shape.shape_gradients(point);
-  const auto   gradient  = shape.gradient_of(values, point);
-  const auto   reference = shape.reference_gradients(point);
-  Pair<double> direction;
+  const auto of_nodes  = shape.shape_gradients(point);
+  const auto gradient  = shape.gradient_of(values, point);
+  const auto reference = shape.reference_gradients(point);
+  Pair       direction;
   for (unsigned int r = 0; r < 2; ++r)
     direction[r] = force[0] * reference[r][0] + force[1] * reference[r][1];
   const auto along = Shape::derivatives_along(direction, point);

@@ -1,7 +1,7 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/output/silo_measures.h>
 #include <sandglass/output/wall_lines.h>
-#include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/walls/boundary_nodes.h>
 
@@ -35,7 +35,7 @@ namespace
     }
 
     double
-    area(const Mesh &mesh, const bool is_filled) const
+    area(const Mesh<2> &mesh, const bool is_filled) const
     {
       double area = 0.;
       for (const auto &cell : mesh.cells)
@@ -52,7 +52,7 @@ namespace
     }
 
     double
-    length(const Mesh &mesh, const BoundaryRole role) const
+    length(const Mesh<2> &mesh, const BoundaryRole role) const
     {
       double length = 0.;
       for (const auto &edge : mesh.faces)
@@ -78,8 +78,8 @@ namespace
 
 TEST_P(WholeSilo, RolesCoverTheBoundary)
 {
-  const Mesh   mesh   = mesh_silo(silo);
-  const double hopper = silo.hopper_height * 1.6 - // rectangle less triangles
+  const Mesh<2> mesh   = mesh_silo<2>(silo);
+  const double  hopper = silo.hopper_height * 1.6 - // rectangle less triangles
                         silo.hopper_height * (0.8 + 0.4) / 2.;
   EXPECT_NEAR(area(mesh, true), 1.6 * 1.2 + hopper, 1e-12);
   EXPECT_NEAR(area(mesh, false), 0.4 * 0.3, 1e-12);
@@ -101,8 +101,11 @@ TEST_P(WholeSilo, RolesCoverTheBoundary)
 
 TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 {
-  const Scene scene(
-    mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+  const Scene<2> scene(mesh_silo<2>(silo),
+                       silo.formulation,
+                       4,
+                       silo.gravity_vector<2>(),
+                       MPI_COMM_WORLD);
   EXPECT_EQ(scene.symmetry_factor, 1.);
 
   walls.outlet_lip     = WallParameters::OutletLip::floor;
@@ -122,7 +125,7 @@ TEST_P(WholeSilo, LipsAndCornersOnBothSides)
       for (const auto &support : node.supports)
         {
           // The middle of the material.
-          const Tensor<1, dim> outwards = node.position - Point<dim>(0.1, 0.6);
+          const Tensor<1, 2> outwards = node.position - Point<2>(0.1, 0.6);
           EXPECT_GT(support.normal * outwards, 0.);
         }
     }
@@ -141,11 +144,14 @@ TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 
 TEST_P(WholeSilo, SidesOfTheWalls)
 {
-  const Scene scene(
-    mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
+  const Scene<2>  scene(mesh_silo<2>(silo),
+                       silo.formulation,
+                       4,
+                       silo.gravity_vector<2>(),
+                       MPI_COMM_WORLD);
   const WallLines lines(scene.mesh, SiloMeasures(scene).bottom_centre);
   const auto      expect_place = [&lines](const BoundaryRole    role,
-                                     const Point<dim>     &point,
+                                     const Point<2>       &point,
                                      const WallLines::Side side,
                                      const double          arc_length) {
     const auto &place = lines.find(role, point);
@@ -155,7 +161,7 @@ TEST_P(WholeSilo, SidesOfTheWalls)
   using Side          = WallLines::Side;
   const double e      = silo.hopper_height;
   const auto   bottom = is_flat() ? BoundaryRole::floor : BoundaryRole::hopper;
-  const Point<dim> left_foot(-0.8, e), right_foot(0.8, e);
+  const Point<2> left_foot(-0.8, e), right_foot(0.8, e);
   expect_place(bottom, {0., 0.}, Side::left, 0.);
   expect_place(bottom, left_foot, Side::left, std::hypot(0.8, e));
   expect_place(bottom, right_foot, Side::right, std::hypot(0.4, e));
@@ -179,11 +185,11 @@ TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
   for (const double hopper_height : {0., 0.6})
     {
       silo.hopper_height = hopper_height;
-      const Mesh mesh    = mesh_silo(silo);
+      const Mesh<2> mesh = mesh_silo<2>(silo);
       for (const auto &vertex : mesh.vertices)
         EXPECT_TRUE(std::any_of(
           mesh.vertices.begin(), mesh.vertices.end(), [&](const auto &other) {
-            return other.distance(Point<dim>(-vertex[0], vertex[1])) < 1e-9;
+            return other.distance(Point<2>(-vertex[0], vertex[1])) < 1e-9;
           }));
     }
 }
@@ -194,10 +200,10 @@ namespace
 {
   /// Mean length in m of the edges between two distances from a point.
   double
-  mean_edge(const Mesh       &mesh,
-            const Point<dim> &point,
-            const double      from,
-            const double      to)
+  mean_edge(const Mesh<2>  &mesh,
+            const Point<2> &point,
+            const double    from,
+            const double    to)
   {
     double       sum = 0.;
     unsigned int n   = 0;
@@ -229,12 +235,12 @@ TEST(GradedSilo, CellsGrowFromTheLips)
     {
       silo.is_symmetric = is_symmetric;
       silo.check();
-      const Mesh mesh = mesh_silo(silo);
+      const Mesh<2> mesh = mesh_silo<2>(silo);
       for (const double x : {-0.225, 0.225})
         {
           if (x < 0. && is_symmetric)
             continue;
-          const Point<dim> lip(x, 0.);
+          const Point<2> lip(x, 0.);
           EXPECT_NEAR(mean_edge(mesh, lip, 0., 0.02) / 0.0125, 1., 0.25);
           EXPECT_NEAR(mean_edge(mesh, lip, 0.15, 0.25) / 0.0525, 1., 0.15);
         }
@@ -248,11 +254,11 @@ TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
 {
   StageFixture::ClearedParameters cleared;
   SceneParameters                 silo;
-  silo.element_size = 0.1;
-  const Mesh mesh   = mesh_silo(silo);
+  silo.element_size  = 0.1;
+  const Mesh<2> mesh = mesh_silo<2>(silo);
 
   silo.outlet_element_size = silo.element_size;
-  const Mesh same          = mesh_silo(silo);
+  const Mesh<2> same       = mesh_silo<2>(silo);
   ASSERT_EQ(mesh.vertices.size(), same.vertices.size());
   for (unsigned int i = 0; i < mesh.vertices.size(); ++i)
     EXPECT_EQ(mesh.vertices[i], same.vertices[i]);
@@ -262,7 +268,6 @@ TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
 
 TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
 {
-  using Plane = Setting<Formulation::plane_strain, CellType::triangle>;
   StageFixture::ClearedParameters cleared;
   SceneParameters                 silo;
   silo.element_size = 0.1;
@@ -271,13 +276,15 @@ TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
       {
         silo.outlet_element_size = size;
         silo.mesh_seed           = seed;
-        const Scene scene(
-          mesh_silo(silo), silo.formulation, 4, silo.gravity, MPI_COMM_WORLD);
-        const CellGeometry<CellType::triangle>         geometry(scene);
-        const InitialConfiguration<CellType::triangle> points(scene, geometry);
-        const ParticleSplitting<Plane>                 splitting(
-          geometry, points, scene.mesh, 1., 1., SplitParticles::where_needed);
-        EXPECT_EQ(splitting.is_on(), size > 0.);
+        const Scene<2>                         scene(mesh_silo<2>(silo),
+                             silo.formulation,
+                             4,
+                             silo.gravity_vector<2>(),
+                             MPI_COMM_WORLD);
+        const CellGeometry<CellType::triangle> geometry(scene);
+        const InitialConfiguration<PlaneStrain, CellType::triangle> points(
+          scene, geometry);
+        EXPECT_EQ(needs_splitting(scene.mesh, points), size > 0.);
       }
 }
 

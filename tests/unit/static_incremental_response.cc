@@ -1,8 +1,11 @@
-#include <sandglass/flow/updated_lagrangian/incremental_response.h>
+#include <sandglass/continuum/in_plane_response.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "return_case.h"
 
 using namespace Sandglass;
 
@@ -12,42 +15,63 @@ namespace
 
   // Stress before the increment in all tests of the tangent: with shear, so
   // that it turns.
-  const SymmetricTensor4 initial_stress(-5000., -9000., -6000., 700.);
+  const SymmetricComponents<4> initial_stress(-5000., -9000., -6000., 700.);
 
   /// E = 1 MPa, nu = 0.3, phi = 25 degrees, as in the paper.
   const Elasticity    elasticity(1e6, 0.3);
   const DruckerPrager material(elasticity, 25. * pi / 180.);
 
-  Gradient5
-  piola_stress(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  /// The elastic stress after the increment.
+  SymmetricComponents<4>
+  trial_stress(const Elasticity             &elasticity,
+               const SymmetricComponents<4> &stress_before,
+               const Gradient5              &H)
   {
-    SymmetricTensor4 stress =
-      IncrementalResponse::trial_stress(elasticity, stress_before, H);
-    material.project(stress);
-    return IncrementalResponse::piola_stress(stress, H);
+    const auto increment = InPlaneResponse::increment(H);
+    return rotate(stress_before, increment.rotation) +
+           elasticity.stress(increment.strain);
+  }
+
+
+
+  /// As the static stage finds it, by the law.
+  SymmetricComponents<4>
+  stress_after(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
+  {
+    const auto             increment = InPlaneResponse::increment(H);
+    SymmetricComponents<4> stress = rotate(stress_before, increment.rotation);
+    auto                   law_state = material.initial_state();
+    material.correct(stress, law_state, material.predict(increment, 0.));
+    return stress;
+  }
+
+
+
+  Gradient5
+  piola_stress(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
+  {
+    return InPlaneResponse::piola_stress(stress_after(stress_before, H), H);
   }
 
 
 
   Matrix5
-  tangent(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  tangent(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
   {
-    const SymmetricTensor4 trial =
-      IncrementalResponse::trial_stress(elasticity, stress_before, H);
-    SymmetricTensor4 stress = trial;
-    material.project(stress);
-    return IncrementalResponse::tangent(elasticity,
-                                        stress_before,
-                                        stress,
-                                        H,
-                                        material.projection_derivative(trial));
+    const ComponentMatrix<4> projection = material.projection_derivative(
+      trial_stress(elasticity, stress_before, H));
+    return InPlaneResponse::tangent(stress_before,
+                                    stress_after(stress_before, H),
+                                    H,
+                                    {projection,
+                                     projection * elasticity.stiffness<4>()});
   }
 
 
 
   /// Largest difference to central differences, over the confined modulus.
   double
-  tangent_error(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  tangent_error(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
   {
     constexpr double step = 1e-6;
     Matrix5          differences;
@@ -64,11 +88,12 @@ namespace
 
 
 
-  DruckerPrager::Case
-  case_of(const SymmetricTensor4 &stress_before, const Gradient5 &H)
+  ReturnCase
+  case_of_increment(const SymmetricComponents<4> &stress_before,
+                    const Gradient5              &H)
   {
-    return material.classify(
-      IncrementalResponse::trial_stress(elasticity, stress_before, H));
+    return case_of(trial_stress(elasticity, stress_before, H),
+                   stress_after(stress_before, H));
   }
 
 
@@ -93,7 +118,7 @@ TEST(IncrementalResponse, TangentAgreesWithDifferencesWhereElastic)
   for (const double hoop : {0., -0.001})
     {
       const Gradient5 H = gradient(-0.002, 0.0015, -0.002, -0.003, hoop);
-      ASSERT_EQ(case_of(initial_stress, H), DruckerPrager::Case::elastic);
+      ASSERT_EQ(case_of_increment(initial_stress, H), ReturnCase::elastic);
       EXPECT_LT(tangent_error(initial_stress, H), 1e-8);
     }
 }
@@ -105,8 +130,33 @@ TEST(IncrementalResponse, TangentAgreesWithDifferencesWhereYielding)
   for (const double hoop : {0., -0.004})
     {
       const Gradient5 H = gradient(0.004, 0.05, -0.03, -0.04, hoop);
-      ASSERT_EQ(case_of(initial_stress, H), DruckerPrager::Case::yielding);
+      ASSERT_EQ(case_of_increment(initial_stress, H), ReturnCase::yielding);
       EXPECT_LT(tangent_error(initial_stress, H), 1e-8);
+    }
+}
+
+
+
+TEST(IncrementalResponse, LawsTangentIsItsDerivativeOrElastic)
+{
+  for (const Gradient5 &H : {gradient(-0.002, 0.0015, -0.002, -0.003, -0.001),
+                             gradient(0.004, 0.05, -0.03, -0.04, -0.004)})
+    {
+      const auto                   increment = InPlaneResponse::increment(H);
+      const SymmetricComponents<4> turned =
+        rotate(initial_stress, increment.rotation);
+      const ComponentMatrix<4> stiffness  = elasticity.stiffness<4>();
+      const ComponentMatrix<4> derivative = material.projection_derivative(
+        trial_stress(elasticity, initial_stress, H));
+      const auto exact =
+        material.tangent(turned, material.initial_state(), increment, 0.);
+      EXPECT_LT((exact.by_stress - derivative).norm(), 1e-12);
+      EXPECT_LT((exact.by_strain - derivative * stiffness).norm(),
+                1e-12 * stiffness.norm());
+      const auto elastic =
+        material.tangent(turned, material.initial_state(), increment, 1.);
+      EXPECT_LT((elastic.by_strain - stiffness).norm(),
+                1e-12 * stiffness.norm());
     }
 }
 
@@ -117,7 +167,7 @@ TEST(IncrementalResponse, TangentAgreesWithDifferencesWhereSeparated)
   for (const double hoop : {0., 0.01})
     {
       const Gradient5 H = gradient(0.02, 0.05, -0.03, 0.01, hoop);
-      ASSERT_EQ(case_of(initial_stress, H), DruckerPrager::Case::separated);
+      ASSERT_EQ(case_of_increment(initial_stress, H), ReturnCase::separated);
       EXPECT_LT(tangent_error(initial_stress, H), 1e-8);
       EXPECT_EQ(tangent(initial_stress, H), Matrix5::Zero());
     }
@@ -144,18 +194,16 @@ namespace
   double
   rotation_error(const double angle)
   {
-    const double           c = std::cos(angle), s = std::sin(angle);
-    const auto            &a = initial_stress;
-    const SymmetricTensor4 exact(
+    const double                 c = std::cos(angle), s = std::sin(angle);
+    const auto                  &a = initial_stress;
+    const SymmetricComponents<4> exact(
       c * c * a[0] + s * s * a[1] - 2. * c * s * a[3],
       s * s * a[0] + c * c * a[1] + 2. * c * s * a[3],
       a[2],
       c * s * (a[0] - a[1]) + (c * c - s * s) * a[3]);
     // soft, so that the error of the spin is seen beside that of the strain
     const Elasticity soft(1e4, 0.3);
-    return (IncrementalResponse::trial_stress(soft, a, rotation(angle)) - exact)
-             .norm() /
-           a.norm();
+    return (trial_stress(soft, a, rotation(angle)) - exact).norm() / a.norm();
   }
 } // namespace
 
@@ -164,10 +212,9 @@ namespace
 TEST(IncrementalResponse, TranslationChangesNothing)
 {
   const Gradient5 H = Gradient5::Zero();
-  EXPECT_EQ(IncrementalResponse::trial_stress(elasticity, initial_stress, H),
-            initial_stress);
-  EXPECT_EQ(IncrementalResponse::volume_ratio(H), 1.);
-  const Gradient5 P = IncrementalResponse::piola_stress(initial_stress, H);
+  EXPECT_EQ(trial_stress(elasticity, initial_stress, H), initial_stress);
+  EXPECT_EQ(InPlaneResponse::volume_ratio(H), 1.);
+  const Gradient5 P = InPlaneResponse::piola_stress(initial_stress, H);
   EXPECT_EQ(P, gradient(-5000., 700., 700., -9000., -6000.));
 }
 
@@ -180,7 +227,7 @@ TEST(IncrementalResponse, RotationErrorIsOfSecondOrder)
   EXPECT_LT(rotation_error(1e-3), 1e-5);
   for (const double angle : {0.02, -0.02})
     EXPECT_NEAR(rotation_error(angle) / rotation_error(angle / 2.), 4., 0.05);
-  EXPECT_NEAR(IncrementalResponse::volume_ratio(rotation(0.3)), 1., 1e-15);
+  EXPECT_NEAR(InPlaneResponse::volume_ratio(rotation(0.3)), 1., 1e-15);
 }
 
 
@@ -191,7 +238,7 @@ TEST(IncrementalResponse, PiolaStressTurnsTheArea)
 {
   const double    angle = 0.7;
   const Gradient5 P =
-    IncrementalResponse::piola_stress({-1000., 0., 0., 0.}, rotation(angle));
+    InPlaneResponse::piola_stress({-1000., 0., 0., 0.}, rotation(angle));
   const double normal_x = std::cos(angle); // of the area that was normal to x
   EXPECT_NEAR(P[GradientComponent::xx], -1000. * normal_x, 1e-10);
   EXPECT_NEAR(P[GradientComponent::yx], 0., 1e-10);

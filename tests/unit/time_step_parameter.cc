@@ -57,7 +57,7 @@ TEST(TimeStepParameter, TheTableIsFollowedAndTheEndIsMet)
   while (!stage.is_finished())
     {
       stage.step();
-      steps.push_back(stage.clock.time_step);
+      steps.push_back(stage.view().clock().time_step);
     }
   ASSERT_EQ(steps.size(), 17u);
   for (unsigned int i = 0; i < 10; ++i)
@@ -65,5 +65,5 @@ TEST(TimeStepParameter, TheTableIsFollowedAndTheEndIsMet)
   for (unsigned int i = 10; i < 16; ++i)
     EXPECT_EQ(steps[i], 4e-4);
   EXPECT_NEAR(steps[16], 1e-4, 1e-15);
-  EXPECT_DOUBLE_EQ(stage.clock.time, 0.0125);
+  EXPECT_DOUBLE_EQ(stage.view().clock().time, 0.0125);
 }

@@ -8,7 +8,7 @@ using namespace Sandglass;
 
 namespace
 {
-  using Triangles = Setting<Formulation::plane_strain, CellType::triangle>;
+  using Triangles = Setting<PlaneStrain, CellType::triangle, DruckerPrager>;
 
   /// A square of 4 x 4 squares of two triangles each.
   class VolumetricAverageTest : public testing::Test
@@ -29,13 +29,14 @@ namespace
     void
     compute(const Function &velocity)
     {
-      fixture.set_mapped_velocity(velocity);
-      average.cells->compute(stage.cloud.blocks());
-      average.compute(stage.cloud.blocks(), sums, stage.fields.mapped_velocity);
+      average.cells->compute(stage.particles().blocks());
+      average.compute(stage.particles().blocks(),
+                      sums,
+                      fixture.at_nodes(velocity));
     }
 
     StageFixture                     fixture;
-    ParticleStage                   &stage;
+    StageFixture::Stage             &stage;
     CellGeometry<CellType::triangle> geometry;
     NodalSums<Triangles>             sums;
     VolumetricAverage<Triangles>     average;
@@ -49,7 +50,7 @@ TEST_F(VolumetricAverageTest, OfAUniformRateIsThatRate)
   compute([](const Point<2> &p) {
     return Tensor<1, 2>({0.3 * p[0] + p[1], -0.1 * p[1]});
   });
-  for (const auto &cell : stage.cloud.owned_cells())
+  for (const auto &cell : stage.particles().owned_cells())
     EXPECT_NEAR(average.rate(cell->active_cell_index()) / 0.2, 1., 1e-13);
 }
 
@@ -64,7 +65,7 @@ TEST_F(VolumetricAverageTest, SmoothsAnAlternatingRate)
     return Tensor<1, 2>({0., (column + row) % 2 == 0 ? 1. : -1.});
   });
   double largest = 0.;
-  for (const auto &cell : stage.cloud.owned_cells())
+  for (const auto &cell : stage.particles().owned_cells())
     largest =
       std::max(largest, std::abs(average.rate(cell->active_cell_index())));
   // In each triangle the rate is 2 / h = 8 or 0.
@@ -76,14 +77,14 @@ TEST_F(VolumetricAverageTest, SmoothsAnAlternatingRate)
 // What separated particles do doesn't reach stressed ones.
 TEST_F(VolumetricAverageTest, LeavesSeparatedParticlesOut)
 {
-  fixture.for_each_particle([&](auto, const auto &position, auto state) {
+  fixture.change_particles([&](auto, const auto &position, auto state) {
     if (position[0] > 0.5)
-      state[Property::density] = 0.5 * fixture.material.density;
+      state[StageLayout::density] = 0.5 * fixture.material.density;
   });
   compute([](const Point<2> &p) {
     return Tensor<1, 2>({p[0] > 0.5 ? 10. * (p[0] - 0.5) : 0., 0.1 * p[1]});
   });
-  for (const auto &cell : stage.cloud.owned_cells())
+  for (const auto &cell : stage.particles().owned_cells())
     if (cell->center()[0] < 0.5)
       {
         EXPECT_NEAR(average.rate(cell->active_cell_index()) / 0.1, 1., 1e-13);

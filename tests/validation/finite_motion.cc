@@ -31,7 +31,7 @@ namespace
                                       0.02};
       ManufacturedRun run(motion, cell_type, integration, n_cells, n_particles);
       const MotionErrors found = run.run();
-      const Result       result{found, run.fixture.stage->plastic_dissipation};
+      const Result       result{found, plastic_work(*run.fixture.stage)};
       std::cout << name_of(integration) << ": " << n_cells << " cells, "
                 << n_particles << " particles per cell: displacement error "
                 << result.displacement << ", stress error " << result.stress

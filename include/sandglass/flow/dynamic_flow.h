@@ -20,7 +20,8 @@ namespace Sandglass
     Tensor<1, dim>               displacement; ///< in m
     SymmetricComponents<2 * dim> stress;       ///< in Pa
     double                       volume_ratio; ///< current over unstressed
-    std::vector<double> law_state; ///< see StateVariable; none: the law's own
+    /// See StateVariable; none: the law's own.
+    std::vector<double> law_state = {};
   };
 
   /// For a cell of the scene and a reference point in it.

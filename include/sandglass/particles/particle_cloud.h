@@ -32,7 +32,7 @@ namespace Sandglass
 
     /// The particles as they are now, in the order of the blocks. Collective.
     const Handler &
-    handler();
+    handler() const;
 
     /// Call `change(handler)`, which may change, add or remove particles.
     /// Collective.
@@ -91,42 +91,28 @@ namespace Sandglass
     void
     clear();
 
-    /// Changes when particles change other than by the loop, so that what the
-    /// loop knows of them has to be found anew.
-    unsigned int
-    edition() const
-    {
-      return n_edits;
-    }
-
-    /// Make it change.
-    void
-    start_new_edition()
-    {
-      ++n_edits;
-    }
-
   private:
     void
     load_blocks();
 
     void
-    update_handler();
+    update_handler() const;
 
     void
-    update_handler(const CellIterator &cell);
+    update_handler(const CellIterator &cell) const;
 
     const Scene              &scene;
     std::vector<CellIterator> cells_all;
     std::vector<CellIterator> cells_owned;
 
-    Handler        particle_handler;
     Blocks particle_blocks;
-    bool           handler_is_current = true;
-    unsigned int   n_edits            = 0;
+
+    // The view that handler() makes.
+    mutable Handler particle_handler;
+    mutable bool    handler_is_current = true;
 
     /// Kept between calls to avoid allocation.
-    std::vector<Parcel> parcels_of_cell;
+    mutable std::vector<Parcel> parcels_of_cell;
   };
 } // namespace Sandglass
 

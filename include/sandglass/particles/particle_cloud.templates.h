@@ -28,11 +28,11 @@ namespace Sandglass
   template <typename Layout>
   ParticleCloud<Layout>::ParticleCloud(const Scene &scene)
     : scene(scene)
+    , particle_blocks(scene.triangulation.n_active_cells(),
+                      indices_of_owned_cells(scene))
     , particle_handler(scene.triangulation,
                        scene.mapping,
                        Layout::n_properties)
-    , particle_blocks(scene.triangulation.n_active_cells(),
-                      indices_of_owned_cells(scene))
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       cells_all.push_back(cell);
@@ -44,7 +44,7 @@ namespace Sandglass
 
   template <typename Layout>
   const typename ParticleCloud<Layout>::Handler &
-  ParticleCloud<Layout>::handler()
+  ParticleCloud<Layout>::handler() const
   {
     if (Utilities::MPI::max(handler_is_current ? 0 : 1, scene.communicator) > 0)
       update_handler();
@@ -55,7 +55,7 @@ namespace Sandglass
 
   template <typename Layout>
   void
-  ParticleCloud<Layout>::update_handler()
+  ParticleCloud<Layout>::update_handler() const
   {
     for (const auto &cell : cells_owned)
       update_handler(cell);
@@ -67,7 +67,7 @@ namespace Sandglass
 
   template <typename Layout>
   void
-  ParticleCloud<Layout>::update_handler(const CellIterator &cell)
+  ParticleCloud<Layout>::update_handler(const CellIterator &cell) const
   {
     parcels_of_cell.clear();
     particle_blocks.for_each_in_cell(cell->active_cell_index(),
@@ -125,7 +125,6 @@ namespace Sandglass
           particle_blocks.insert(parcel);
         }
     handler_is_current = true;
-    start_new_edition();
   }
 
 
@@ -170,7 +169,6 @@ namespace Sandglass
   ParticleSlot
   ParticleCloud<Layout>::insert(const Parcel &parcel)
   {
-    start_new_edition();
     return change_blocks().insert(parcel);
   }
 
@@ -180,7 +178,6 @@ namespace Sandglass
   void
   ParticleCloud<Layout>::clear()
   {
-    start_new_edition();
     change_blocks().clear();
   }
 } // namespace Sandglass

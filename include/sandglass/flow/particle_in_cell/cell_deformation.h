@@ -182,15 +182,16 @@ namespace Sandglass
                                         chosen.inverse_jacobian};
     }
 
+    struct Nothing
+    {};
+
     /// What all particles of a cell have alike.
     struct Uniform
     {
       Deformation<double> own;
-      Deformation<double> with_average; ///< with the averaged rate
+      /// With the averaged rate.
+      std::conditional_t<is_averaged, Deformation<double>, Nothing> with_average;
     };
-
-    struct Nothing
-    {};
 
     const Shape            &shape;
     const OfNodes          &velocities;

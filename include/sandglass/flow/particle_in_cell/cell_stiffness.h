@@ -2,7 +2,7 @@
 #define sandglass_flow_particle_in_cell_cell_stiffness_h
 
 #include <sandglass/flow/particle_in_cell/nodal_sums.h>
-#include <sandglass/flow/particle_in_cell/nodal_sums.h>
+#include <sandglass/material/elasticity.h>
 
 namespace Sandglass
 {
@@ -43,12 +43,18 @@ namespace Sandglass
         matrices.resize(geometry.n_cells());
     }
 
-    /// Modulus of uniaxial strain in Pa of a cell, as assemble() has found it
-    /// last.
-    double
-    confined_modulus(const unsigned int cell) const
+    /// The elasticity C of a cell, as assemble() has found it last.
+    const Elasticity &
+    elasticity(const unsigned int cell) const
     {
-      return elasticity(cell).confined_modulus();
+      return of_cells[Law::has_constant_stiffness ? 0 : cell];
+    }
+
+    /// Instead of assemble(), where a checkpoint tells it.
+    void
+    set_elasticity(const unsigned int cell, const Elasticity &stored)
+    {
+      of_cells[Law::has_constant_stiffness ? 0 : cell] = stored;
     }
 
     /// Take the stiffness from the particles' positions.
@@ -115,12 +121,6 @@ namespace Sandglass
     as_vector(const OfNodes &values)
     {
       return Eigen::Map<const Vector>(values[0].data());
-    }
-
-    const Elasticity &
-    elasticity(const unsigned int cell) const
-    {
-      return of_cells[Law::has_constant_stiffness ? 0 : cell];
     }
 
     /// The stiffest that the law is among a cell's particles.

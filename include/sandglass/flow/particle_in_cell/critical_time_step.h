@@ -67,11 +67,10 @@ namespace Sandglass
       stiffness.assemble(blocks, cells);
     }
 
-    /// See CellStiffness.
-    double
-    confined_modulus(const unsigned int cell) const
+    CellStiffness<Setting> &
+    cell_stiffness()
     {
-      return stiffness.confined_modulus(cell);
+      return stiffness;
     }
 
     /**

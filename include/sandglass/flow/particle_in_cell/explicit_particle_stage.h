@@ -54,10 +54,10 @@ namespace Sandglass
       , relocation(scene, geometry, walls, parameters, removed)
       , splitting(geometry,
                   initial_configuration,
-                  scene.mesh,
                   material.density,
                   volumetric_average.smallest_density,
-                  parameters.split_particles)
+                  parameters.split_particles == SplitParticles::where_needed &&
+                    needs_splitting(scene.mesh, initial_configuration))
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , critical(stress_update.law, geometry, scene)
     {
@@ -204,7 +204,7 @@ namespace Sandglass
       nodal_sums.scatter(
         cloud.blocks(),
         [this](const unsigned int cell) {
-          return critical.confined_modulus(cell);
+          return critical.cell_stiffness().elasticity(cell).confined_modulus();
         },
         sums);
     }
@@ -222,6 +222,13 @@ namespace Sandglass
         pack(nodal_sums.cells);
         if (volumetric_average.is_on)
           pack(*volumetric_average.cells);
+        if constexpr (!Law::has_constant_stiffness)
+          {
+            const Elasticity &stiffness =
+              critical.cell_stiffness().elasticity(cell);
+            packed.push_back(stiffness.lame_modulus);
+            packed.push_back(stiffness.shear_modulus);
+          }
       });
       return packed;
     }
@@ -233,6 +240,13 @@ namespace Sandglass
         {
           const auto cell = static_cast<unsigned int>(*next++);
           for_each_sums([&](auto &cells) { next = cells.unpack(cell, next); });
+          if constexpr (!Law::has_constant_stiffness)
+            {
+              Elasticity stiffness(0., 0.);
+              stiffness.lame_modulus  = *next++;
+              stiffness.shear_modulus = *next++;
+              critical.cell_stiffness().set_elasticity(cell, stiffness);
+            }
         }
       scatter_sums();
     }

@@ -14,6 +14,40 @@
 
 namespace Sandglass
 {
+  /// Volume of a cell's largest initial particle, in m^3.
+  template <typename Configuration>
+  double
+  largest_seeded_volume(const Configuration &initial_configuration,
+                        const unsigned int   cell)
+  {
+    const unsigned int n      = initial_configuration.points.size();
+    double             result = 0.;
+    for (unsigned int k = 0; k < n; ++k)
+      result = std::max(result, initial_configuration.volume(n * cell + k));
+    return result;
+  }
+
+  /// Whether the filled cells' volumes differ so much that particles have to be
+  /// halved. Plane meshes of one size have areas within a factor of four.
+  template <int dim, typename Configuration>
+  bool
+  needs_splitting(const Mesh<dim>     &mesh,
+                  const Configuration &initial_configuration)
+  {
+    constexpr double largest_ratio = 6.;
+    double           smallest      = std::numeric_limits<double>::max();
+    double           largest       = 0.;
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      if (mesh.cells[cell].is_filled)
+        {
+          const double volume =
+            largest_seeded_volume(initial_configuration, cell);
+          smallest = std::min(smallest, volume);
+          largest  = std::max(largest, volume);
+        }
+    return largest > largest_ratio * smallest;
+  }
+
   /**
    * Halves particles that are too large for the cells that they have come to,
    * which otherwise hold few or none: in graded meshes, and next to the axis,
@@ -46,27 +80,23 @@ namespace Sandglass
     static constexpr unsigned int interval = 16;
 
     /**
-     * @param mesh              tells which cells are filled.
      * @param full_density      of unstressed material, in kg/m^3.
      * @param smallest_density  of particles that are halved, in kg/m^3.
      */
     ParticleSplitting(const Geometry      &geometry,
                       const Configuration &initial_configuration,
-                      const Mesh<dim>     &mesh,
                       const double         full_density,
                       const double         smallest_density,
-                      const SplitParticles when)
+                      const bool           is_on)
       : geometry(geometry)
       , initial_configuration(initial_configuration)
       , smallest_density(smallest_density)
     {
-      if (when == SplitParticles::never)
+      if (!is_on)
         return;
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
         largest_mass.push_back(largest_share * full_density *
-                               seeded_volume(cell));
-      if (!has_small_cells(mesh))
-        largest_mass.clear();
+                               largest_seeded_volume(initial_configuration, cell));
     }
 
     bool
@@ -109,33 +139,6 @@ namespace Sandglass
 
     /// Smallest face distance of a half, in cells.
     static constexpr double margin = 1e-3;
-
-    /// Of the cell's largest initial particle, in m^3.
-    double
-    seeded_volume(const unsigned int cell) const
-    {
-      const unsigned int n      = initial_configuration.points.size();
-      double             result = 0.;
-      for (unsigned int k = 0; k < n; ++k)
-        result = std::max(result, initial_configuration.volume(n * cell + k));
-      return result;
-    }
-
-    /// Plane meshes of one size have areas within a factor of four.
-    bool
-    has_small_cells(const Mesh<dim> &mesh) const
-    {
-      constexpr double largest_ratio = 6.;
-      double           smallest      = std::numeric_limits<double>::max();
-      double           largest       = 0.;
-      for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        if (mesh.cells[cell].is_filled)
-          {
-            smallest = std::min(smallest, largest_mass[cell]);
-            largest  = std::max(largest, largest_mass[cell]);
-          }
-      return largest > largest_ratio * smallest;
-    }
 
     void
     find_large_particles(const Blocks &blocks, const unsigned int cell)

@@ -61,6 +61,15 @@ namespace Sandglass
       sum_over_particles();
     }
 
+    /// The same for `change(blocks)`, which may change particles where they are.
+    template <typename Change>
+    void
+    edit_blocks(const Change &change)
+    {
+      change(cloud.change_blocks());
+      sum_over_particles();
+    }
+
     const Cloud &
     particles() const
     {

@@ -34,8 +34,8 @@ namespace Sandglass
                  const double        unstressed_density,
                  const DensityUpdate density_update)
       : law(law)
-      , unstressed_density(unstressed_density)
-      , separates(density_update == DensityUpdate::separation)
+      , smallest_stressed_density(
+          density_update == DensityUpdate::separation ? unstressed_density : 0.)
     {}
 
     /**
@@ -50,24 +50,21 @@ namespace Sandglass
     {
       state.density *= deformation.inverse_jacobian;
       state.stress = rotate(state.stress, deformation.rotation);
-      Number dissipation =
+      const Number dissipation =
         law.correct(state.stress, state.law_state, deformation.prediction);
 
-      if (separates)
-        {
-          const auto is_separated = state.density < Number(unstressed_density);
-          for (int c = 0; c < Layout::n_components; ++c)
-            state.stress[c] = select(is_separated, Number(0.), state.stress[c]);
-          dissipation = select(is_separated, Number(0.), dissipation);
-        }
-      return dissipation;
+      // Also where nothing separates: to ask first would cost more.
+      const auto is_separated =
+        state.density < Number(smallest_stressed_density);
+      for (int c = 0; c < Layout::n_components; ++c)
+        state.stress[c] = select(is_separated, Number(0.), state.stress[c]);
+      return select(is_separated, Number(0.), dissipation);
     }
 
     const Law law;
 
   private:
-    const double unstressed_density;
-    const bool   separates;
+    const double smallest_stressed_density; ///< in kg/m^3
   };
 } // namespace Sandglass
 

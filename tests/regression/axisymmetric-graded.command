@@ -1,0 +1,1 @@
+-s "Scene/Outlet element size=0.003125" -s "Particle stage/End time=0.3"

@@ -1,0 +1,1 @@
+-s "Scene/Hopper height=0.14" -s "Scene/Wall height=0.24"

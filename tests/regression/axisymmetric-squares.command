@@ -1,0 +1,1 @@
+-s "Scene/Cell type=quadrilateral" -s "Particle stage/End time=1"

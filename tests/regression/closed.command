@@ -1,0 +1,1 @@
+-s "Scene/Outlet=closed" -s "Static stage/Enabled=false" -s "Particle stage/End time=0.3"

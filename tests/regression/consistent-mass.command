@@ -1,0 +1,1 @@
+-s "Particle stage/Consistent mass share=0.5"

@@ -1,0 +1,1 @@
+-s "Scene/Symmetry=false" -s "Scene/Outlet eccentricity=0.3" -s "Scene/Hopper height=1.1" -s "Scene/Wall height=1.25" -s "Scene/Cell type=quadrilateral"

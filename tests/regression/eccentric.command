@@ -1,0 +1,1 @@
+-s "Scene/Symmetry=false" -s "Scene/Outlet eccentricity=0.3"

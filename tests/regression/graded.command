@@ -1,0 +1,1 @@
+-s "Scene/Outlet element size=0.025"

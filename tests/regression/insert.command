@@ -1,0 +1,1 @@
+-s "Scene/Shape=mesh file" -s "Scene/Mesh file=insert.msh"

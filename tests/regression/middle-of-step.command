@@ -1,0 +1,1 @@
+-s "Particle stage/Stress integration=middle of step" -s "Scene/Cell type=quadrilateral" -s "Particle stage/Time step=0: 2e-3, 0.3: 1e-3"

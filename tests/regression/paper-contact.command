@@ -1,0 +1,1 @@
+-s "Walls/Normal condition=acceleration" -s "Walls/Friction update=velocity sign" -s "Walls/Fix bottom corner=false" -s "Walls/Penalty limit=0" -s "Particle stage/Density update=paper" -s "Static stage/Displace particles=true" -s "Particle stage/End time=0.6"

@@ -1,0 +1,1 @@
+-s "Static stage/Relative residual=1e-12" -s "Output/Interval=0.2" -s "Output/History interval=0.05"

@@ -1,0 +1,1 @@
+-s "Particle stage/End time=2.5"

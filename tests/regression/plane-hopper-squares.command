@@ -1,0 +1,1 @@
+-s "Scene/Hopper height=1.1" -s "Scene/Wall height=1.25" -s "Scene/Cell type=quadrilateral"

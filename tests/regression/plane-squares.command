@@ -1,0 +1,1 @@
+-s "Scene/Cell type=quadrilateral" -s "Scene/Particles per cell=9" -s "Particle stage/End time=2.5"

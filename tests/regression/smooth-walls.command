@@ -1,0 +1,1 @@
+-s "Walls/Friction angle=0"
