@@ -1,11 +1,11 @@
 #ifndef sandglass_run_parameters_h
 #define sandglass_run_parameters_h
 
+#include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
+#include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/output/output_parameters.h>
-#include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/scene/scene_parameters.h>
-#include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/walls/wall_parameters.h>
 
 namespace Sandglass
@@ -25,6 +25,7 @@ namespace Sandglass
     check()
     {
       scene.check();
+      walls.check();
       particle_stage.check();
     }
   };

@@ -1,7 +1,7 @@
 #include <deal.II/numerics/data_out.h>
 
-#include <sandglass/choices.h>
 #include <sandglass/base/exceptions.h>
+#include <sandglass/choices.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 
 #include <algorithm>
@@ -103,11 +103,11 @@ namespace Sandglass
 
 
   template <int dim>
-  StaticStage<dim>::StaticStage(const Scene<dim>                 &scene,
-                           const MaterialParameters    &material_parameters,
-                           const WallParameters        &wall_parameters,
-                           const StaticStageParameters &parameters,
-                           ConditionalOStream          &log)
+  StaticStage<dim>::StaticStage(const Scene<dim>         &scene,
+                                const MaterialParameters &material_parameters,
+                                const WallParameters     &wall_parameters,
+                                const StaticStageParameters &parameters,
+                                ConditionalOStream          &log)
     : scene(scene)
     , parameters(parameters)
     , log(log)
@@ -117,7 +117,7 @@ namespace Sandglass
                                    material_parameters,
                                    scene.gravity))
     , contact(grid,
-              scene.formulation,
+              scene,
               wall_parameters,
               equilibrium->weight(),
               equilibrium->confined_modulus())
@@ -144,8 +144,8 @@ namespace Sandglass
     Predictor    predictor(displacement);
     while (load < 1. - 1e-12)
       {
-        const double               this_step = std::min(step, 1. - load);
-        Vector                     increment = predictor.predict(this_step);
+        const double       this_step = std::min(step, 1. - load);
+        Vector             increment = predictor.predict(this_step);
         const NewtonResult result =
           solver.solve(displacement, load + this_step, increment);
 
@@ -172,8 +172,7 @@ namespace Sandglass
 
   template <int dim>
   void
-  StaticStage<dim>::count(const double                load_share,
-                     const NewtonResult &result)
+  StaticStage<dim>::count(const double load_share, const NewtonResult &result)
   {
     effort.n_newton_iterations += result.n_iterations;
     effort.n_linear_iterations += result.n_linear_iterations;
@@ -284,8 +283,7 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template class StaticStage<dim>;
+#define INSTANTIATE(dim) template class StaticStage<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass
