@@ -107,6 +107,112 @@ namespace Sandglass
 
 
 
+  bool
+  OptionalNumber::match(const std::string &text) const
+  {
+    return Utilities::trim(text).empty() || number.match(text);
+  }
+
+
+
+  std::string
+  OptionalNumber::description(const OutputStyle style) const
+  {
+    return "nothing, or " + number.description(style);
+  }
+
+
+
+  std::unique_ptr<Patterns::PatternBase>
+  OptionalNumber::clone() const
+  {
+    return std::unique_ptr<PatternBase>(new OptionalNumber(*this));
+  }
+
+
+
+  std::optional<NamedNumbers>
+  NamedNumbersPattern::parse(const std::string &text) const
+  {
+    NamedNumbers result;
+    for (const std::string &entry : Utilities::split_string_list(text, ','))
+      {
+        const auto colon = entry.rfind(':');
+        if (colon == std::string::npos)
+          return {};
+        std::vector<double> numbers;
+        std::istringstream  stream(entry.substr(colon + 1));
+        for (std::string word; stream >> word;)
+          {
+            if (!number.match(word))
+              return {};
+            numbers.push_back(Utilities::string_to_double(word));
+          }
+        const std::string name = Utilities::trim(entry.substr(0, colon));
+        if (name.empty() || numbers.size() < fewest_numbers ||
+            numbers.size() > most_numbers ||
+            !result.emplace(name, numbers).second)
+          return {};
+      }
+    return result;
+  }
+
+
+
+  bool
+  NamedNumbersPattern::match(const std::string &text) const
+  {
+    return parse(text).has_value();
+  }
+
+
+
+  std::string
+  NamedNumbersPattern::description(const OutputStyle style) const
+  {
+    std::ostringstream text;
+    text << "a list 'name: value, name: value' with each name once and for "
+            "each name ";
+    if (fewest_numbers < most_numbers)
+      text << fewest_numbers << " to ";
+    if (most_numbers > 1)
+      text << most_numbers << " numbers, each ";
+    text << number.description(style);
+    return text.str();
+  }
+
+
+
+  std::unique_ptr<Patterns::PatternBase>
+  NamedNumbersPattern::clone() const
+  {
+    return std::unique_ptr<PatternBase>(new NamedNumbersPattern(*this));
+  }
+
+
+
+  namespace
+  {
+    /// Declare an entry that is empty by default and whose text `read` turns
+    /// into a variable's value.
+    template <typename Read>
+    void
+    add_empty_entry(ParameterAcceptor           &section,
+                    const std::string           &name,
+                    const Patterns::PatternBase &pattern,
+                    const std::string           &documentation,
+                    const Read                  &read)
+    {
+      auto &prm = section.prm;
+      section.enter_my_subsection(prm);
+      prm.declare_entry(name, "", pattern, documentation);
+      prm.add_action(name, read);
+      section.leave_my_subsection(prm);
+    }
+  } // namespace
+
+
+
   void
   add_number(ParameterAcceptor   &section,
              const std::string   &name,
@@ -120,6 +226,46 @@ namespace Sandglass
                           documentation + " Units: " + unit + ".",
                           section.prm,
                           bounds);
+  }
+
+
+
+  void
+  add_optional_number(ParameterAcceptor     &section,
+                      const std::string     &name,
+                      std::optional<double> &variable,
+                      const BoundedNumber   &bounds,
+                      const std::string     &unit,
+                      const std::string     &documentation)
+  {
+    add_empty_entry(section,
+                    name,
+                    OptionalNumber(bounds),
+                    documentation + " Units: " + unit + ".",
+                    [&variable](const std::string &text) {
+                      variable.reset();
+                      if (!Utilities::trim(text).empty())
+                        variable = Utilities::string_to_double(text);
+                    });
+  }
+
+
+
+  void
+  add_named_numbers(ParameterAcceptor         &section,
+                    const std::string         &name,
+                    NamedNumbers              &variable,
+                    const NamedNumbersPattern &pattern,
+                    const std::string         &unit,
+                    const std::string         &documentation)
+  {
+    add_empty_entry(section,
+                    name,
+                    pattern,
+                    documentation + " Units: " + unit + ".",
+                    [pattern, &variable](const std::string &text) {
+                      variable = pattern.parse(text).value_or(NamedNumbers());
+                    });
   }
 
 

@@ -32,9 +32,9 @@ namespace Sandglass
 
 
     /// What one rank tells another about a record.
-    using Parcel = std::array<double, 12>;
+    using PackedRecord = std::array<double, 12>;
 
-    Parcel
+    PackedRecord
     pack(const WallRecord &record)
     {
       const auto &x = record.position;
@@ -57,7 +57,7 @@ namespace Sandglass
 
 
     WallRecord
-    unpack(const Parcel &parcel)
+    unpack(const PackedRecord &parcel)
     {
       WallRecord record{};
       record.wall   = static_cast<WallId>(parcel[0]);
@@ -132,7 +132,7 @@ namespace Sandglass
   std::vector<WallTractions<2>::PlacedRecord>
   WallTractions<2>::collect(const WallRecords &records) const
   {
-    std::vector<Parcel> parcels;
+    std::vector<PackedRecord> parcels;
     for (const WallRecord &record : records.records)
       if (is_wall(role_of(record)))
         parcels.push_back(pack(record));

@@ -10,7 +10,7 @@ namespace Sandglass
     constexpr double rounding = 1e-9;
 
     WallLines::Side
-    side_of(const Mesh                      &mesh,
+    side_of(const Mesh<2>                   &mesh,
             const std::vector<unsigned int> &vertices,
             const double                     middle)
     {
@@ -29,46 +29,48 @@ namespace Sandglass
 
 
 
-  WallLines::WallLines(const Mesh &mesh, const Point<dim> &bottom_centre)
+  WallLines::WallLines(const Mesh<2>              &mesh,
+                       const std::vector<Wall<2>> &walls,
+                       const Point<2>             &bottom_centre)
   {
-    for (const BoundaryRole role : {BoundaryRole::wall,
-                                    BoundaryRole::floor,
-                                    BoundaryRole::hopper,
-                                    BoundaryRole::outlet})
-      add_lines(mesh, role, bottom_centre);
+    std::vector<Neighbors> neighbors(walls.size());
+    for (const auto &edge : mesh.faces)
+      {
+        const WallId wall = boundary_part(walls, edge.boundary_id()).wall;
+        if (wall != no_wall)
+          for (const unsigned int v : {0u, 1u})
+            neighbors[wall][edge.vertices[v]].push_back(edge.vertices[1 - v]);
+      }
+    for (WallId wall = 0; wall < walls.size(); ++wall)
+      add_lines(mesh, wall, neighbors[wall], bottom_centre);
   }
 
 
 
   const WallLines::Place &
-  WallLines::find(const BoundaryRole role, const Point<dim> &vertex) const
+  WallLines::find(const WallId wall, const unsigned int vertex) const
   {
-    return places.at(key(role, vertex));
+    return places.at({wall, vertex});
   }
 
 
 
   void
-  WallLines::add_lines(const Mesh        &mesh,
-                       const BoundaryRole role,
-                       const Point<dim>  &bottom_centre)
+  WallLines::add_lines(const Mesh<2>  &mesh,
+                       const WallId    wall,
+                       Neighbors      &neighbors,
+                       const Point<2> &bottom_centre)
   {
-    Neighbors neighbors;
-    for (const auto &edge : mesh.faces)
-      if (edge.role == role)
-        for (const unsigned int v : {0u, 1u})
-          neighbors[edge.vertices[v]].push_back(edge.vertices[1 - v]);
-
     // Ends come before vertices in the middle of a line, then the nearest.
     const auto comes_before = [&](const auto &a, const auto &b) {
       const bool a_is_end = a.second.size() == 1;
       const bool b_is_end = b.second.size() == 1;
       if (a_is_end != b_is_end)
         return a_is_end;
-      const Point<dim> &point_a    = mesh.vertices[a.first];
-      const Point<dim> &point_b    = mesh.vertices[b.first];
-      const double      distance_a = point_a.distance(bottom_centre);
-      const double      distance_b = point_b.distance(bottom_centre);
+      const Point<2> &point_a    = mesh.vertices[a.first];
+      const Point<2> &point_b    = mesh.vertices[b.first];
+      const double    distance_a = point_a.distance(bottom_centre);
+      const double    distance_b = point_b.distance(bottom_centre);
       // Mirror images are equally near up to rounding.
       if (std::abs(distance_a - distance_b) <= rounding * distance_a)
         return point_a[0] < point_b[0];
@@ -84,10 +86,10 @@ namespace Sandglass
         double arc_length = 0.;
         for (unsigned int i = 0; i < vertices.size(); ++i)
           {
-            const Point<dim> &vertex = mesh.vertices[vertices[i]];
             if (i > 0)
-              arc_length += vertex.distance(mesh.vertices[vertices[i - 1]]);
-            places[key(role, vertex)] = {line, arc_length, side};
+              arc_length += mesh.vertices[vertices[i]].distance(
+                mesh.vertices[vertices[i - 1]]);
+            places[{wall, vertices[i]}] = {line, arc_length, side};
           }
       }
   }

@@ -17,10 +17,16 @@ namespace Sandglass
         data.shape = Shape(vertices);
 
         for (unsigned int face = 0; face < Shape::n_faces; ++face)
-          data.neighbors[face] =
-            cell->at_boundary(face) ?
-              -static_cast<int>(cell->face(face)->boundary_id()) :
-              static_cast<int>(cell->neighbor(face)->active_cell_index());
+          if (cell->at_boundary(face))
+            {
+              const auto id        = cell->face(face)->boundary_id();
+              data.neighbors[face] = -static_cast<int>(id);
+              if (id >= parts.size())
+                parts.resize(id + 1);
+              parts[id] = boundary_part(scene.walls, id);
+            }
+          else
+            data.neighbors[face] = cell->neighbor(face)->active_cell_index();
 
         data.nodes.fill(numbers::invalid_unsigned_int);
         if (cell->is_locally_owned())
@@ -40,7 +46,7 @@ namespace Sandglass
                                 const unsigned int start_cell) const
   {
     if (!std::isfinite(point.square()))
-      return {Location::Kind::invalid, start_cell, point, 0, BoundaryRole::top};
+      return {Location::Kind::invalid, start_cell, point, 0, {}};
 
     unsigned int cell = start_cell;
     // A walk longer than this goes in circles.
@@ -72,13 +78,13 @@ namespace Sandglass
                   cell,
                   data.shape.to_reference(point),
                   boundary_face,
-                  static_cast<BoundaryRole>(-data.neighbors[boundary_face])};
+                  parts[-data.neighbors[boundary_face]]};
         else
           return {Location::Kind::inside,
                   cell,
                   data.shape.to_reference(point),
                   0,
-                  BoundaryRole::top};
+                  {}};
       }
     return find_by_search(point);
   }
@@ -90,7 +96,7 @@ namespace Sandglass
   CellGeometry<cell_type>::find_by_search(const Point<dim> &point) const
   {
     // The cell that comes nearest to holding the point, by its worst face.
-    Location nearest{Location::Kind::outside, 0, point, 0, BoundaryRole::top};
+    Location nearest{Location::Kind::outside, 0, point, 0, {}};
     double   largest = std::numeric_limits<double>::lowest();
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
       {
@@ -107,8 +113,7 @@ namespace Sandglass
                    cell,
                    cells[cell].shape.to_reference(point),
                    face,
-                   neighbor < 0 ? static_cast<BoundaryRole>(-neighbor) :
-                                  BoundaryRole::top};
+                   neighbor < 0 ? parts[-neighbor] : BoundaryPart()};
       }
     return nearest;
   }

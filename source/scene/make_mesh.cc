@@ -1,8 +1,9 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
 #include <sandglass/base/exceptions.h>
+#include <sandglass/choices.h>
 #include <sandglass/scene/make_mesh.h>
+#include <sandglass/scene/make_walls.h>
 #include <sandglass/scene/silo_section.h>
 
 #include <gmsh.h>
@@ -55,7 +56,8 @@ namespace Sandglass
 
     template <int dim>
     void
-    take_vertices(Mesh<dim> &mesh, std::map<std::size_t, unsigned int> &index_of)
+    take_vertices(Mesh<dim>                           &mesh,
+                  std::map<std::size_t, unsigned int> &index_of)
     {
       std::vector<std::size_t> tags;
       std::vector<double>      coordinates, unused;
@@ -99,9 +101,44 @@ namespace Sandglass
     {
       const std::string names[]{"", "Line", "Triangle", "Tetrahedron"};
       const std::string cubes[]{"", "Line", "Quadrangle", "Hexahedron"};
-      const bool is_simplex = n_nodes == static_cast<unsigned int>(dimension) + 1;
-      return gmsh::model::mesh::getElementType(
-        is_simplex ? names[dimension] : cubes[dimension], 1);
+      const bool        is_simplex =
+        n_nodes == static_cast<unsigned int>(dimension) + 1;
+      return gmsh::model::mesh::getElementType(is_simplex ? names[dimension] :
+                                                            cubes[dimension],
+                                               1);
+    }
+
+
+
+    /// Add the faces of a physical group, one of the standard parts or else a
+    /// named wall.
+    template <int dim>
+    void
+    take_faces(Mesh<dim>                                 &mesh,
+               const std::map<std::size_t, unsigned int> &index_of,
+               const int                                  group,
+               const std::string                         &name)
+    {
+      typename Mesh<dim>::Face face{{}, BoundaryRole::insert};
+      const auto               part =
+        std::find(boundary_role_names.begin(), boundary_role_names.end(), name);
+      if (part != boundary_role_names.end())
+        face.role =
+          static_cast<BoundaryRole>(part - boundary_role_names.begin() + 1);
+      else
+        {
+          face.named_wall = mesh.named_walls.size();
+          mesh.named_walls.push_back(name);
+        }
+
+      const unsigned int n = mesh.vertices_per_face();
+      const auto nodes = element_nodes(dim - 1, group, gmsh_type(dim - 1, n));
+      for (std::size_t i = 0; i < nodes.size(); i += n)
+        {
+          for (unsigned int v = 0; v < n; ++v)
+            face.vertices[v] = index_of.at(nodes[i + v]);
+          mesh.faces.push_back(face);
+        }
     }
 
 
@@ -122,27 +159,8 @@ namespace Sandglass
         {
           std::string name;
           gmsh::model::getPhysicalName(dimension, group, name);
-          if (dimension == dim - 1)
-            {
-              const auto role = std::find(boundary_role_names.begin(),
-                                          boundary_role_names.end(),
-                                          name);
-              if (role == boundary_role_names.end())
-                continue;
-              const unsigned int n = mesh.vertices_per_face();
-              const auto         nodes =
-                element_nodes(dimension, group, gmsh_type(dimension, n));
-              for (std::size_t i = 0; i < nodes.size(); i += n)
-                {
-                  typename Mesh<dim>::Face face{
-                    {},
-                    static_cast<BoundaryRole>(
-                      role - boundary_role_names.begin() + 1)};
-                  for (unsigned int v = 0; v < n; ++v)
-                    face.vertices[v] = index_of.at(nodes[i + v]);
-                  mesh.faces.push_back(face);
-                }
-            }
+          if (dimension == dim - 1 && !name.empty())
+            take_faces(mesh, index_of, group, name);
           else if (dimension == dim &&
                    (name == material_group || name == fall_region_group))
             {
@@ -158,6 +176,7 @@ namespace Sandglass
                 }
             }
         }
+      settle_named_walls(mesh);
       return mesh;
     }
 
@@ -172,7 +191,9 @@ namespace Sandglass
       };
       if (std::none_of(mesh.cells.begin(),
                        mesh.cells.end(),
-                       [](const typename Mesh<dim>::Cell &cell) { return cell.is_filled; }))
+                       [](const typename Mesh<dim>::Cell &cell) {
+                         return cell.is_filled;
+                       }))
         refuse(std::string("the mesh has no ") +
                (mesh.cell_type == CellType::triangle ? "triangles" :
                                                        "quadrilaterals") +
@@ -260,7 +281,7 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
+#define INSTANTIATE(dim)                                                  \
   template Mesh<dim> read_mesh<dim>(const std::string &, const CellType); \
   template Mesh<dim> make_mesh<dim>(const SceneParameters &, const MPI_Comm);
 

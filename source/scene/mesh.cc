@@ -30,12 +30,14 @@ namespace Sandglass
 
 
 
-    /// Renumber the vertices in the order in which the cells meet them.
+    /// Renumber the vertices in the order in which the cells meet them; returns
+    /// the index that each has had.
     template <int dim>
-    void
+    std::vector<unsigned int>
     number_vertices_by_cell(Mesh<dim> &mesh)
     {
       std::vector<unsigned int>       new_index(mesh.vertices.size(), unused);
+      std::vector<unsigned int>       old_indices;
       std::vector<dealii::Point<dim>> vertices;
       for (auto &cell : mesh.cells)
         for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
@@ -45,6 +47,7 @@ namespace Sandglass
               {
                 index = vertices.size();
                 vertices.push_back(mesh.vertices[cell.vertices[v]]);
+                old_indices.push_back(cell.vertices[v]);
               }
             cell.vertices[v] = index;
           }
@@ -63,25 +66,25 @@ namespace Sandglass
         }
       mesh.vertices = std::move(vertices);
       mesh.faces    = std::move(faces);
+      return old_indices;
     }
   } // namespace
 
 
 
   template <int dim>
-  Mesh<dim>
-  filled_part(const Mesh<dim> &mesh, std::vector<unsigned int> &cell_indices)
+  MeshPart<dim>
+  filled_part(const Mesh<dim> &mesh)
   {
-    Mesh<dim> part = mesh;
-    part.cells.clear();
-    cell_indices.clear();
+    MeshPart<dim> part{mesh, {}, {}};
+    part.mesh.cells.clear();
     for (unsigned int i = 0; i < mesh.cells.size(); ++i)
       if (mesh.cells[i].is_filled)
         {
-          part.cells.push_back(mesh.cells[i]);
-          cell_indices.push_back(i);
+          part.mesh.cells.push_back(mesh.cells[i]);
+          part.cells.push_back(i);
         }
-    number_vertices_by_cell(part);
+    part.vertices = number_vertices_by_cell(part.mesh);
     return part;
   }
 
@@ -135,9 +138,9 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template Mesh<dim> filled_part<dim>(const Mesh<dim> &, std::vector<unsigned int> &); \
-  template void sort_along_curve<dim>(Mesh<dim> &);
+#define INSTANTIATE(dim)                                      \
+  template MeshPart<dim> filled_part<dim>(const Mesh<dim> &); \
+  template void          sort_along_curve<dim>(Mesh<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe_simplex_p.h>
 
 #include <sandglass/choices.h>
+#include <sandglass/scene/make_walls.h>
 #include <sandglass/scene/scene.h>
 
 #include <algorithm>
@@ -12,13 +13,14 @@
 namespace Sandglass
 {
   template <int dim>
-  Scene<dim>::Scene(const Mesh<dim>                      &mesh,
-               const Formulation                formulation,
-               const unsigned int               particles_per_cell,
-               const Tensor<1, dim>            &gravity,
-               const MPI_Comm                   communicator,
-               const Partitioner                partitioner,
-               const std::vector<unsigned int> &weights)
+  Scene<dim>::Scene(const Mesh<dim>                 &mesh,
+                    const WallParameters            &walls,
+                    const Formulation                formulation,
+                    const unsigned int               particles_per_cell,
+                    const Tensor<1, dim>            &gravity,
+                    const MPI_Comm                   communicator,
+                    const Partitioner                partitioner,
+                    const std::vector<unsigned int> &weights)
     : mesh(mesh)
     , formulation(formulation)
     , particles_per_cell(particles_per_cell)
@@ -34,6 +36,8 @@ namespace Sandglass
                        ReferenceCells::get_simplex<dim>() :
                        ReferenceCells::get_hypercube<dim>())
     , mapping(reference_cell.template get_default_linear_mapping<dim>())
+    , walls(
+        make_walls(mesh, triangulation.get_boundary_ids(), formulation, walls))
     , dof_handler(triangulation)
     , cell_owners(find_cell_owners(triangulation))
   {
@@ -69,8 +73,7 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template class Scene<dim>;
+#define INSTANTIATE(dim) template class Scene<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -46,7 +46,8 @@ namespace Sandglass
              mesh_file,
              dealii::Patterns::FileName(dealii::Patterns::FileName::input),
              "Mesh in Gmsh's format, for Shape = mesh file. Physical lines "
-             "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top; "
+             "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top, "
+             "and further walls that Walls/Friction angles names; "
              "physical surfaces material and fall_region. Outlet level at "
              "y = 0.");
     add_number(

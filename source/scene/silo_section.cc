@@ -1,6 +1,6 @@
-#include <sandglass/scene/boundary_role.h>
 #include <sandglass/scene/mesh_size.h>
 #include <sandglass/scene/silo_section.h>
+#include <sandglass/walls/boundary_role.h>
 
 #include <gmsh.h>
 

@@ -1,8 +1,8 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/reference_cell.h>
 
-#include <sandglass/choices.h>
 #include <sandglass/base/exceptions.h>
+#include <sandglass/choices.h>
 #include <sandglass/scene/triangulate.h>
 
 #include <algorithm>
@@ -40,7 +40,8 @@ namespace Sandglass
 
     /// A face's vertices in order, by which it is known.
     template <int dim>
-    using FaceKey = std::array<unsigned int, Mesh<dim>::most_vertices_per_cell / 2>;
+    using FaceKey =
+      std::array<unsigned int, Mesh<dim>::most_vertices_per_cell / 2>;
 
     template <int dim>
     FaceKey<dim>
@@ -69,8 +70,8 @@ namespace Sandglass
             FaceKey<dim>       vertices{};
             const unsigned int n = mesh.vertices_per_face();
             for (unsigned int v = 0; v < n; ++v)
-              vertices[v] = cell.vertices[reference.face_to_cell_vertices(
-                face, v, 1)];
+              vertices[v] =
+                cell.vertices[reference.face_to_cell_vertices(face, v, 1)];
             ++n_cells_at[key_of<dim>(vertices, n)];
           }
       return n_cells_at;
@@ -94,8 +95,9 @@ namespace Sandglass
           if (entry == n_cells_at.end() || entry->second != 1)
             continue;
           CellData<dim - 1> data(n);
-          data.vertices.assign(face.vertices.begin(), face.vertices.begin() + n);
-          data.boundary_id = boundary_id(face.role);
+          data.vertices.assign(face.vertices.begin(),
+                               face.vertices.begin() + n);
+          data.boundary_id = face.boundary_id();
           if constexpr (dim == 2)
             result.boundary_lines.push_back(data);
           else
@@ -111,9 +113,7 @@ namespace Sandglass
     check_boundary(const Triangulation<dim> &triangulation)
     {
       for (const auto &face : triangulation.active_face_iterators())
-        if (face->at_boundary() &&
-            (face->boundary_id() < 1 ||
-             face->boundary_id() > boundary_role_names.size()))
+        if (face->at_boundary() && face->boundary_id() == 0)
           {
             std::ostringstream message;
             message << "The mesh's boundary edge at (" << face->center()
@@ -121,6 +121,7 @@ namespace Sandglass
                        "that together cover the boundary, named";
             for (const auto &name : boundary_role_names)
               message << ' ' << name;
+            message << ", or as Walls/Friction angles names further walls.";
             throw InputError(message.str());
           }
     }
@@ -144,8 +145,9 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template void triangulate<dim>(const Mesh<dim> &, dealii::Triangulation<dim> &);
+#define INSTANTIATE(dim)                            \
+  template void triangulate<dim>(const Mesh<dim> &, \
+                                 dealii::Triangulation<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

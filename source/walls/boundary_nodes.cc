@@ -1,9 +1,11 @@
-#include <sandglass/choices.h>
+#include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
 #include <sandglass/walls/boundary_nodes.h>
+#include <sandglass/walls/face_geometry.h>
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace Sandglass
 {
@@ -11,62 +13,124 @@ namespace Sandglass
   {
     constexpr double same_direction = 1. - 1e-8;
 
-    /// Outward normal of a straight boundary edge of `cell`.
-    template <typename CellIterator>
-    Tensor<1, 2>
-    outward_normal(const CellIterator &cell, const unsigned int face_no)
-    {
-      const auto           face    = cell->face(face_no);
-      const Tensor<1, 2>   tangent = face->vertex(1) - face->vertex(0);
-      Tensor<1, 2>         normal{{tangent[1], -tangent[0]}};
-      normal /= normal.norm();
-      return normal * (face->center() - cell->center()) > 0. ? normal :
-                                                               -1. * normal;
-    }
-
-
-
-    /// Integral of the edge's linear shape function of its end `own` over the
-    /// edge's area.
-    template <int dim>
+    /// Integral of the linear shape function of a face's vertex over the face's
+    /// area.
+    template <typename FaceIterator>
     double
-    tributary_area(const Point<dim> &own,
-                   const Point<dim> &other,
-                   const Formulation formulation)
+    tributary_area(const FaceIterator &face,
+                   const unsigned int  vertex,
+                   const Formulation   formulation)
     {
-      return own.distance(other) / 2. *
-             measure<dim>(formulation, Point<dim>((2. * own + other) / 3.));
+      constexpr int  dim       = FaceIterator::AccessorType::space_dimension;
+      const double   n         = face->n_vertices();
+      Tensor<1, dim> positions = face->vertex(vertex);
+      for (const unsigned int v : face->vertex_indices())
+        positions += face->vertex(v);
+      return face->measure() / n *
+             measure<dim>(formulation, Point<dim>(positions / (n + 1.)));
     }
 
 
 
+    template <int dim>
+    [[noreturn]] void
+    refuse(const Point<dim> &position, const std::string &what)
+    {
+      std::ostringstream message;
+      message << "The mesh's boundary has more than " << what << " at ("
+              << position << ") m. Allowed are meshes whose cells around a "
+              << "vertex of the boundary are connected by faces.";
+      throw InputError(message.str());
+    }
+
+
+
+    template <int dim>
+    Support<dim> &
+    find_support(BoundaryNode<dim>    &node,
+                 const Tensor<1, dim> &normal,
+                 const bool            is_axis)
+    {
+      for (auto &support : node.supports)
+        if (support.normal * normal > same_direction &&
+            support.is_axis == is_axis)
+          return support;
+      if (node.supports.size() == dim)
+        refuse(node.position, std::to_string(dim) + " directions");
+      Support<dim> support;
+      support.normal  = normal;
+      support.is_axis = is_axis;
+      node.supports.push_back(support);
+      return node.supports.back();
+    }
+
+
+
+    template <int dim>
+    WallShare &
+    find_share(BoundaryNode<dim> &node,
+               Support<dim>      &support,
+               const WallId       wall)
+    {
+      for (auto &share : support.walls)
+        if (share.wall == wall)
+          return share;
+      if (support.walls.size() == Support<dim>::most_walls)
+        refuse(node.position,
+               std::to_string(Support<dim>::most_walls) + " walls in a plane");
+      support.walls.push_back({wall, 0., 0., 0.});
+      return support.walls.back();
+    }
+
+
+
+    /// From the walls' areas, what they have of the support together.
     template <int dim>
     void
-    add_support(std::vector<NodeSupport<dim>> &supports, const NodeSupport<dim> &added)
+    share_out(Support<dim> &support, const std::vector<Wall<dim>> &walls)
     {
-      for (auto &support : supports)
-        if (support.normal * added.normal > same_direction &&
-            (support.role == BoundaryRole::axis) ==
-              (added.role == BoundaryRole::axis))
-          {
-            support.tributary_area += added.tributary_area;
-            support.role = std::min(support.role, added.role);
-            return;
-          }
-      supports.push_back(added);
+      if (support.is_axis)
+        return;
+      double friction = 0.;
+      for (const WallShare &share : support.walls)
+        {
+          support.area += share.area;
+          friction += walls[share.wall].friction_coefficient * share.area;
+        }
+      // Differences from one wall's values, so that means of equal values are
+      // just these.
+      const Wall<dim> &first       = walls[support.walls[0].wall];
+      support.friction_coefficient = first.friction_coefficient;
+      support.velocity             = first.velocity;
+      for (WallShare &share : support.walls)
+        {
+          const Wall<dim> &wall = walls[share.wall];
+          share.of_normal_force = share.area / support.area;
+          share.of_friction =
+            friction > 0. ? wall.friction_coefficient * share.area / friction :
+                            share.of_normal_force;
+          support.friction_coefficient +=
+            share.of_normal_force *
+            (wall.friction_coefficient - first.friction_coefficient);
+          support.velocity +=
+            share.of_friction * (wall.velocity - first.velocity);
+        }
+      support.velocity = support.tangential(support.velocity);
     }
 
 
 
     template <int dim>
     bool
-    has_role(const BoundaryNode<dim> &node, const BoundaryRole role)
+    has_role(const BoundaryNode<dim>      &node,
+             const std::vector<Wall<dim>> &walls,
+             const BoundaryRole            role)
     {
-      return std::any_of(node.supports.begin(),
-                         node.supports.end(),
-                         [role](const NodeSupport<dim> &support) {
-                           return support.role == role;
-                         });
+      for (const auto &support : node.supports)
+        for (const WallShare &share : support.walls)
+          if (walls[share.wall].role == role)
+            return true;
+      return false;
     }
   } // namespace
 
@@ -74,9 +138,10 @@ namespace Sandglass
 
   template <int dim>
   std::vector<BoundaryNode<dim>>
-  find_boundary_nodes(const DoFHandler<dim> &dof_handler,
-                      const Formulation      formulation,
-                      const WallParameters  &parameters)
+  find_boundary_nodes(const DoFHandler<dim>        &dof_handler,
+                      const Formulation             formulation,
+                      const std::vector<Wall<dim>> &walls,
+                      const WallParameters         &parameters)
   {
     std::map<types::global_dof_index, BoundaryNode<dim>> nodes;
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -88,21 +153,25 @@ namespace Sandglass
             const auto face = cell->face(face_no);
             if (!face->at_boundary())
               continue;
-            const auto role = static_cast<BoundaryRole>(face->boundary_id());
-            for (const unsigned int v : {0u, 1u})
+            const BoundaryPart part = boundary_part(walls, face->boundary_id());
+            const bool         is_axis = part.role == BoundaryRole::axis;
+            for (const unsigned int v : face->vertex_indices())
               {
                 auto &node    = nodes[face->vertex_dof_index(v, 0)];
                 node.dof      = face->vertex_dof_index(v, 0);
+                node.vertex   = face->vertex_index(v);
                 node.position = face->vertex(v);
-                if (role == BoundaryRole::fall_side)
+                if (part.role == BoundaryRole::fall_side)
                   node.is_outlet_lip = true;
-                if (role == BoundaryRole::axis || is_wall(role))
-                  add_support(node.supports,
-                              {role,
-                               outward_normal(cell, face_no),
-                               tributary_area(face->vertex(v),
-                                              face->vertex(1 - v),
-                                              formulation)});
+                if (!is_axis && part.wall == no_wall)
+                  continue;
+                auto &support =
+                  find_support(node, outward_normal(cell, face_no), is_axis);
+                const double area = tributary_area(face, v, formulation);
+                if (is_axis)
+                  support.area += area;
+                else
+                  find_share(node, support, part.wall).area += area;
               }
           }
       }
@@ -112,12 +181,14 @@ namespace Sandglass
       {
         if (node.supports.empty())
           continue;
+        for (auto &support : node.supports)
+          share_out(support, walls);
         node.is_free = node.is_outlet_lip &&
                        parameters.outlet_lip == WallParameters::OutletLip::free;
         node.is_fixed = parameters.fix_bottom_corner && !node.is_free &&
-                        has_role(node, BoundaryRole::wall) &&
-                        (has_role(node, BoundaryRole::floor) ||
-                         has_role(node, BoundaryRole::outlet));
+                        has_role(node, walls, BoundaryRole::wall) &&
+                        (has_role(node, walls, BoundaryRole::floor) ||
+                         has_role(node, walls, BoundaryRole::outlet));
         result.push_back(node);
       }
     return result;
@@ -125,8 +196,12 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template std::vector<BoundaryNode<dim>> find_boundary_nodes<dim>(const DoFHandler<dim> &, const Formulation, const WallParameters &);
+#define INSTANTIATE(dim)                                            \
+  template std::vector<BoundaryNode<dim>> find_boundary_nodes<dim>( \
+    const DoFHandler<dim> &,                                        \
+    const Formulation,                                              \
+    const std::vector<Wall<dim>> &,                                 \
+    const WallParameters &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

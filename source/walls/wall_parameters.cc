@@ -1,9 +1,7 @@
-#include <deal.II/base/numbers.h>
-
-#include <sandglass/base/parameter_entries.h>
+#include <sandglass/base/exceptions.h>
 #include <sandglass/walls/wall_parameters.h>
 
-#include <cmath>
+#include <string>
 
 namespace Sandglass
 {
@@ -17,7 +15,40 @@ namespace Sandglass
                friction_angle,
                Bounds::at_least_below(0., 90.),
                "degrees",
-               "Angle of friction between material and walls.");
+               "Angle of friction between material and those walls that have "
+               "none of their own below.");
+    add_optional_number(*this,
+                        "Floor friction angle",
+                        floor_friction_angle,
+                        Bounds::at_least_below(0., 90.),
+                        "degrees",
+                        "Angle of friction of a flat floor and of the closed "
+                        "outlet in it.");
+    add_optional_number(*this,
+                        "Hopper friction angle",
+                        hopper_friction_angle,
+                        Bounds::at_least_below(0., 90.),
+                        "degrees",
+                        "Angle of friction of the hopper's walls.");
+    add_named_numbers(
+      *this,
+      "Friction angles",
+      friction_angles,
+      NamedNumbersPattern(Bounds::at_least_below(0., 90.)),
+      "degrees",
+      "Angles of friction by the wall's name: wall, floor, hopper, outlet "
+      "(while it is closed), or a physical group of the mesh file, which is "
+      "thereby a wall; for example \"lining: 12, insert: 25\".");
+    add_named_numbers(
+      *this,
+      "Velocities",
+      velocities,
+      NamedNumbersPattern(Bounds::any(), 2, 3),
+      "m/s",
+      "Velocities by the wall's name, as above, with which walls move in their "
+      "own plane, as belts do: x and y (and z in three dimensions), for "
+      "example \"floor: 0.5 0\". Walls without one are at rest, as all walls "
+      "are for the static stage. A closed outlet moves as the floor does.");
     add_number(*this,
                "Tangential penalty",
                tangential_penalty,
@@ -67,9 +98,21 @@ namespace Sandglass
 
 
 
-  double
-  WallParameters::friction_coefficient() const
+  void
+  WallParameters::check() const
   {
-    return std::tan(friction_angle * dealii::numbers::PI / 180.);
+    const auto refuse_both = [this](const std::optional<double> &angle,
+                                    const std::string           &part,
+                                    const std::string           &other_name) {
+      if (angle && friction_angles.count(part) > 0)
+        throw InputError("Walls",
+                         "Friction angles",
+                         part + ": " +
+                           std::to_string(friction_angles.at(part)[0]),
+                         "allowed is one friction angle for each wall, but '" +
+                           other_name + "' is set as well");
+    };
+    refuse_both(floor_friction_angle, "floor", "Floor friction angle");
+    refuse_both(hopper_friction_angle, "hopper", "Hopper friction angle");
   }
 } // namespace Sandglass

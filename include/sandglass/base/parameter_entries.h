@@ -5,6 +5,8 @@
 #include <deal.II/base/patterns.h>
 
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +60,64 @@ namespace Sandglass
     bool   includes_upper;
   };
 
+  /// Pattern of a BoundedNumber, or of nothing.
+  class OptionalNumber : public dealii::Patterns::PatternBase
+  {
+  public:
+    explicit OptionalNumber(const BoundedNumber &number)
+      : number(number)
+    {}
+
+    bool
+    match(const std::string &text) const override;
+
+    std::string
+    description(const OutputStyle style = Machine) const override;
+
+    std::unique_ptr<dealii::Patterns::PatternBase>
+    clone() const override;
+
+  private:
+    BoundedNumber number;
+  };
+
+  /// One or several numbers for each of some names.
+  using NamedNumbers = std::map<std::string, std::vector<double>>;
+
+  /**
+   * Pattern of a list `name: number, name: number`, in which each name stands
+   * once. Where there are several numbers for a name, spaces are between them.
+   * The list may be empty.
+   */
+  class NamedNumbersPattern : public dealii::Patterns::PatternBase
+  {
+  public:
+    NamedNumbersPattern(const BoundedNumber &number,
+                        const unsigned int   fewest_numbers = 1,
+                        const unsigned int   most_numbers   = 1)
+      : number(number)
+      , fewest_numbers(fewest_numbers)
+      , most_numbers(most_numbers)
+    {}
+
+    /// The list that a matching text stands for; nothing if it doesn't match.
+    std::optional<NamedNumbers>
+    parse(const std::string &text) const;
+
+    bool
+    match(const std::string &text) const override;
+
+    std::string
+    description(const OutputStyle style = Machine) const override;
+
+    std::unique_ptr<dealii::Patterns::PatternBase>
+    clone() const override;
+
+  private:
+    BoundedNumber number;
+    unsigned int  fewest_numbers, most_numbers;
+  };
+
   /// Declare a real parameter; `unit` is "1" for pure numbers.
   void
   add_number(dealii::ParameterAcceptor &section,
@@ -66,6 +126,24 @@ namespace Sandglass
              const BoundedNumber       &bounds,
              const std::string         &unit,
              const std::string         &documentation);
+
+  /// Declare a real parameter that may be left empty, as it is by default.
+  void
+  add_optional_number(dealii::ParameterAcceptor &section,
+                      const std::string         &name,
+                      std::optional<double>     &variable,
+                      const BoundedNumber       &bounds,
+                      const std::string         &unit,
+                      const std::string         &documentation);
+
+  /// Declare a list of numbers by name, by default empty.
+  void
+  add_named_numbers(dealii::ParameterAcceptor &section,
+                    const std::string         &name,
+                    NamedNumbers              &variable,
+                    const NamedNumbersPattern &pattern,
+                    const std::string         &unit,
+                    const std::string         &documentation);
 
   void
   add_integer(dealii::ParameterAcceptor &section,

@@ -37,14 +37,16 @@ namespace Sandglass
     double dissipated_energy = 0.; ///< by plastic flow and wall friction, in J
     double wall_work = 0.; ///< done by moving walls on the material, in J
 
-    Tensor<1, 3> momentum;            ///< in kg m/s
+    Tensor<1, 3> momentum;           ///< in kg m/s
     double       largest_speed = 0.; ///< in m/s
   };
 
-  /// What one stretch of wall has done at one node since the start.
+  /// What one wall has done at one node since the start, of one direction in
+  /// which it holds the node.
   struct WallRecord
   {
     WallId       wall;
+    unsigned int vertex;   ///< of the scene's mesh
     Point<3>     position; ///< in m
     Tensor<1, 3> normal;   ///< outward from the material
     double       area;     ///< in m^2 (plane strain: per metre of depth)
@@ -54,11 +56,12 @@ namespace Sandglass
   /// The records of this rank's nodes.
   struct WallRecords
   {
-    double                  time = 0.; ///< over which impulses were summed, in s
+    double time = 0.; ///< over which impulses were summed, in s
     std::vector<WallRecord> records;
   };
 
-  /// Area of wall in m^2 (plane strain: per metre of depth) of this rank's nodes.
+  /// Area of wall in m^2 (plane strain: per metre of depth) of this rank's
+  /// nodes.
   struct WallArea
   {
     double touching; ///< where a wall held the material in the last step
@@ -121,8 +124,8 @@ namespace Sandglass
     /**
      * The largest stable time step in s. Collective.
      *
-     * @param is_exact  for these very positions, which costs about two steps, or
-     *                  the one found last where the step follows it.
+     * @param is_exact  for these very positions, which costs about two steps,
+     * or the one found last where the step follows it.
      */
     virtual double
     critical_time_step(const bool is_exact) const = 0;

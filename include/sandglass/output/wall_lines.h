@@ -2,10 +2,11 @@
 #define sandglass_output_wall_lines_h
 
 #include <sandglass/scene/mesh.h>
+#include <sandglass/walls/wall.h>
 
-#include <array>
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace Sandglass
@@ -13,16 +14,18 @@ namespace Sandglass
   using namespace dealii;
 
   /**
-   * The silo's walls as lines along which lengths are measured: from their end
-   * next to the middle of the outlet, so that floors count outwards, hoppers
-   * from the outlet upwards, and walls from their foot upwards. The outlet
-   * counts as a wall, which it is while it is closed. Of two ends or lines
-   * equally near, the left one comes first.
+   * The walls of a section as lines along which lengths are measured: from
+   * their end next to the middle of the outlet, so that floors count outwards,
+   * hoppers from the outlet upwards, and walls from their foot upwards. The
+   * outlet counts as a wall, which it is while it is closed. Of two ends or
+   * lines equally near, the left one comes first.
    */
   class WallLines
   {
   public:
-    WallLines(const Mesh &mesh, const Point<dim> &bottom_centre);
+    WallLines(const Mesh<2>              &mesh,
+              const std::vector<Wall<2>> &walls,
+              const Point<2>             &bottom_centre);
 
     /// Which side of the outlet's middle a whole line lies on.
     enum class Side
@@ -32,44 +35,36 @@ namespace Sandglass
       right  = 1
     };
 
-    /// Where a vertex lies on the walls of one role.
+    /// Where a vertex lies on one wall.
     struct Place
     {
-      /// Lines of a role are numbered by the distance of their start from the
+      /// Lines of a wall are numbered by the distance of their start from the
       /// middle of the outlet.
       unsigned int line;
       double       arc_length; ///< in m
       Side         side;
     };
 
-    /// The vertex must have an edge with this role.
+    /// @param vertex  of the mesh; it must have an edge of this wall.
     const Place &
-    find(const BoundaryRole role, const Point<dim> &vertex) const;
+    find(const WallId wall, const unsigned int vertex) const;
 
   private:
-    /// Vertices that edges of one role connect with each vertex.
+    /// Vertices that edges of one wall connect with each vertex.
     using Neighbors = std::map<unsigned int, std::vector<unsigned int>>;
 
     void
-    add_lines(const Mesh        &mesh,
-              const BoundaryRole role,
-              const Point<dim>  &bottom_centre);
+    add_lines(const Mesh<2>  &mesh,
+              const WallId    wall,
+              Neighbors      &neighbors,
+              const Point<2> &bottom_centre);
 
     /// From `vertex` on to its other neighbors, which are taken out; the
     /// vertices of the line, in order.
     static std::vector<unsigned int>
     follow_line(unsigned int vertex, Neighbors &neighbors);
 
-    /// Role and coordinates of a vertex.
-    using Key = std::array<double, 3>;
-
-    static Key
-    key(const BoundaryRole role, const Point<dim> &vertex)
-    {
-      return {{static_cast<double>(role), vertex[0], vertex[1]}};
-    }
-
-    std::map<Key, Place> places;
+    std::map<std::pair<WallId, unsigned int>, Place> places;
   };
 
   /// The side's name: `left`, `middle` or `right`.

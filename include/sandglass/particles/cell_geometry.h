@@ -6,6 +6,7 @@
 #include <sandglass/base/prefetch.h>
 #include <sandglass/particles/cell_shape.h>
 #include <sandglass/scene/scene.h>
+#include <sandglass/walls/wall.h>
 
 #include <limits>
 #include <vector>
@@ -83,7 +84,7 @@ namespace Sandglass
       unsigned int cell;
       Point<dim>   reference_point; ///< with respect to `cell`
       unsigned int face;            ///< only if outside
-      BoundaryRole role;            ///< of the face, only if outside
+      BoundaryPart part;            ///< what the face is, only if outside
     };
 
     /**
@@ -99,7 +100,8 @@ namespace Sandglass
     /// Whether all face distances are at least `margin`; false for NaN.
     template <typename Number>
     static auto
-    is_inside(const std::array<Number, dim> &reference_point, const double margin)
+    is_inside(const std::array<Number, dim> &reference_point,
+              const double                   margin)
     {
       const auto distances = Shape::face_distances(reference_point);
       auto       result    = distances[0] >= Number(margin);
@@ -127,6 +129,8 @@ namespace Sandglass
     find_by_search(const Point<dim> &point) const;
 
     std::vector<CellData> cells;
+    /// What the boundary's faces are, by boundary id.
+    std::vector<BoundaryPart> parts;
   };
 } // namespace Sandglass
 

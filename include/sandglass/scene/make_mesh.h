@@ -26,7 +26,8 @@ namespace Sandglass
 
   /**
    * Read a mesh that Gmsh can open. Lines must belong to physical groups named
-   * as in boundary_role_names, surfaces to groups `material` (filled) or
+   * as in boundary_role_names, or to further walls that Walls/Friction angles
+   * names (see make_walls()), surfaces to groups `material` (filled) or
    * `fall_region`. Throws InputError that names what is missing.
    */
   template <int dim>

@@ -4,9 +4,10 @@
 #include <deal.II/base/point.h>
 
 #include <sandglass/scene/cell_type.h>
-#include <sandglass/scene/boundary_role.h>
+#include <sandglass/walls/boundary_role.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Sandglass
@@ -35,16 +36,29 @@ namespace Sandglass
       }
     };
 
+    /// What `named_wall` is in faces of standard parts.
+    static constexpr unsigned int standard_part = static_cast<unsigned int>(-1);
+
     struct Face
     {
       std::array<unsigned int, most_vertices_per_cell / 2> vertices;
       BoundaryRole                                         role;
+      /// Index in `named_walls`, if it belongs to one of them.
+      unsigned int named_wall = standard_part;
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &vertices &role;
+        archive &vertices &role &named_wall;
+      }
+
+      /// Its id in triangulations.
+      dealii::types::boundary_id
+      boundary_id() const
+      {
+        return named_wall == standard_part ? Sandglass::boundary_id(role) :
+                                             first_named_boundary + named_wall;
       }
     };
 
@@ -52,6 +66,8 @@ namespace Sandglass
     std::vector<dealii::Point<dim>> vertices; ///< in m
     std::vector<Cell>               cells;
     std::vector<Face>               faces;
+    /// Names of the walls beyond the standard parts.
+    std::vector<std::string> named_walls;
 
     unsigned int
     vertices_per_cell() const
@@ -69,20 +85,27 @@ namespace Sandglass
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &cell_type &vertices &cells &faces;
+      archive &cell_type &vertices &cells &faces &named_walls;
     }
+  };
+
+  /// A part of a mesh as a mesh of its own.
+  template <int dim>
+  struct MeshPart
+  {
+    Mesh<dim> mesh;
+    /// Index in the whole mesh of each cell and vertex.
+    std::vector<unsigned int> cells, vertices;
   };
 
   /**
    * The part of `mesh` that material fills at the start, its cells in the same
    * order. Vertices that no filled cell uses are left out; faces are kept
    * where all their vertices remain.
-   *
-   * @param[out] cell_indices  index in `mesh` of each cell of the result.
    */
   template <int dim>
-  Mesh<dim>
-  filled_part(const Mesh<dim> &mesh, std::vector<unsigned int> &cell_indices);
+  MeshPart<dim>
+  filled_part(const Mesh<dim> &mesh);
 
   /**
    * Sort cells and vertices along a space-filling (Morton) curve, so that

@@ -12,6 +12,8 @@
 
 #include <sandglass/continuum/formulation.h>
 #include <sandglass/scene/partition.h>
+#include <sandglass/walls/wall.h>
+#include <sandglass/walls/wall_parameters.h>
 
 #include <memory>
 #include <vector>
@@ -26,19 +28,24 @@ namespace Sandglass
    * linear elements on it. A node of the method is a degree of freedom of this
    * DoFHandler.
    *
-   * Cell i of the mesh is the triangulation's active cell with index i.
+   * Cell i of the mesh is the triangulation's active cell with index i, and
+   * vertex i its vertex i.
    */
   template <int dim>
   class Scene
   {
   public:
     /**
+     * Throws InputError where mesh and walls' parameters don't fit together.
+     *
      * @param mesh     the same on each rank.
+     * @param walls    the walls' friction and motion.
      * @param gravity  in m/s^2.
      * @param weights  what each cell costs, for ranks to have equal shares; if
      *                 there are none, by the mesh's filled cells.
      */
-    Scene(const Mesh<dim>                      &mesh,
+    Scene(const Mesh<dim>                 &mesh,
+          const WallParameters            &walls,
           const Formulation                formulation,
           const unsigned int               particles_per_cell,
           const Tensor<1, dim>            &gravity,
@@ -46,7 +53,7 @@ namespace Sandglass
           const Partitioner                partitioner = Partitioner::metis,
           const std::vector<unsigned int> &weights     = {});
 
-    const Mesh<dim>           mesh;
+    const Mesh<dim>      mesh;
     const Formulation    formulation;
     const unsigned int   particles_per_cell;
     const Tensor<1, dim> gravity; ///< in m/s^2
@@ -63,6 +70,9 @@ namespace Sandglass
     parallel::TriangulationBase<dim> &triangulation;
     const ReferenceCell               reference_cell;
     const Mapping<dim>               &mapping;
+
+    /// In order of the standard parts, then of the mesh's named walls.
+    const std::vector<Wall<dim>> walls;
 
     std::unique_ptr<FiniteElement<dim>> finite_element;
     DoFHandler<dim>                     dof_handler;

@@ -9,9 +9,9 @@ namespace Sandglass
 {
   /**
    * Make a triangulation of `mesh`: active cell i is cell i of the mesh, and
-   * boundary ids are BoundaryRole values.
+   * boundary faces have the ids of the mesh's faces.
    *
-   * Throws InputError if a boundary edge of the mesh has no role, or a cell no
+   * Throws InputError if a boundary face is none of the mesh's, or a cell no
    * area.
    */
   template <int dim>

@@ -1,24 +1,29 @@
 #ifndef sandglass_walls_friction_h
 #define sandglass_walls_friction_h
 
+#include <sandglass/walls/coulomb.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace Sandglass
 {
-  /// What a node of the grid remembers of its contact with one wall.
+  using namespace dealii;
+
+  /// What a node of the grid remembers of its contact with one support.
+  template <int dim>
   struct FrictionMemory
   {
-    double tangential_force = 0.; ///< in N, on the material
-    bool   is_sliding       = false;
-    double mass             = 0.; ///< in the last step, in kg; 0: none yet
+    Tensor<1, dim> force; ///< tangential, in N, on the material
+    bool           is_sliding = false;
+    double         mass       = 0.; ///< in the last step, in kg; 0: none yet
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &tangential_force &is_sliding &mass;
+      archive &force &is_sliding &mass;
     }
   };
 
@@ -40,28 +45,27 @@ namespace Sandglass
   };
 
   /**
-   * The Coulomb law with penalised sticking, for one node and one step (paper,
-   * Section 4.2, cases I.1 and I.2), in one tangential direction.
+   * Coulomb's law with penalised sticking in time, for one node and one step
+   * (paper, Section 4.2, cases I.1 and I.2). Velocities are tangential, and
+   * relative to the wall's.
    *
    * The paper's trial force F - c_T v dt needs the velocity at the end of the
    * step, which the force itself changes. It is solved for both together, so
    * that sticking needs no smaller time step, and a sliding node is stopped
    * rather than turned back by its friction.
    */
-  class CoulombFriction
+  template <int dim>
+  class PenaltyFriction
   {
   public:
     /**
-     * @param coefficient  mu = tan(wall friction angle)
-     * @param penalty      c_T in N/m^3
+     * @param penalty        c_T in N/m^3
      * @param penalty_limit  largest c_T A dt^2 / m of a node; 0: none
      */
-    CoulombFriction(const double         coefficient,
-                    const double         penalty,
+    PenaltyFriction(const double         penalty,
                     const double         penalty_limit,
                     const FrictionUpdate update)
-      : coefficient(coefficient)
-      , penalty(penalty)
+      : penalty(penalty)
       , penalty_limit(penalty_limit)
       , update(update)
     {}
@@ -69,63 +73,63 @@ namespace Sandglass
     /**
      * The tangential force on the material at the end of the step, in N.
      *
-     * @param[in,out] memory   updated to the end of the step.
-     * @param normal_force     compression, >= 0, in N.
-     * @param velocity         tangential velocity at the step's start, in m/s.
-     * @param free_velocity    velocity at the step's end without friction.
-     * @param mass             of the node, in kg.
-     * @param area             of wall that belongs to the node, in m^2.
-     * @param time_step        in s.
+     * @param[in,out] memory  updated to the end of the step.
+     * @param limit           mu times the normal force, >= 0, in N.
+     * @param velocity        at the step's start, in m/s.
+     * @param free_velocity   at the step's end without friction, in m/s.
+     * @param mass            of the node, in kg.
+     * @param area            of wall that belongs to the node, in m^2.
+     * @param time_step       in s.
      */
-    double
-    tangential_force(FrictionMemory &memory,
-                     const double    normal_force,
-                     const double    velocity,
-                     const double    free_velocity,
-                     const double    mass,
-                     const double    area,
-                     const double    time_step) const
+    Tensor<1, dim>
+    force(FrictionMemory<dim>  &memory,
+          const double          limit,
+          const Tensor<1, dim> &velocity,
+          const Tensor<1, dim> &free_velocity,
+          const double          mass,
+          const double          area,
+          const double          time_step) const
     {
-      const double limit = coefficient * normal_force;
-
-      double start_force = force_at_new_mass(memory, mass, area, time_step);
+      Tensor<1, dim> start_force =
+        force_at_new_mass(memory, mass, area, time_step);
       if (update == FrictionUpdate::velocity_sign && memory.is_sliding &&
-          velocity != 0.)
+          velocity.norm_square() > 0.)
         {
-          const double force        = -std::copysign(limit, velocity);
-          const double end_velocity = free_velocity + time_step * force / mass;
+          start_force = (-limit / velocity.norm()) * velocity;
+          const Tensor<1, dim> end_velocity =
+            free_velocity + time_step / mass * start_force;
           if (velocity * end_velocity > 0.)
             {
-              memory.tangential_force = force;
-              return force;
+              memory.force = start_force;
+              return start_force;
             }
-          start_force = force;
         }
 
-      const double stretching  = stiffness(mass, area, time_step) * time_step;
-      const double trial_force = (start_force - stretching * free_velocity) /
-                                 (1. + stretching * time_step / mass);
-      memory.is_sliding       = std::abs(trial_force) > limit;
-      memory.tangential_force = std::clamp(trial_force, -limit, limit);
-      return memory.tangential_force;
+      const double stretching = stiffness(mass, area, time_step) * time_step;
+      const auto friction = coulomb((start_force - stretching * free_velocity) /
+                                      (1. + stretching * time_step / mass),
+                                    limit);
+      memory.is_sliding   = friction.is_sliding;
+      memory.force        = friction.force;
+      return friction.force;
     }
 
     /**
-     * Of a sticking node: let the force follow a displacement of the material
-     * that tangential_force() has not known of.
+     * Let the force of a sticking node follow a displacement of the material
+     * that force() has not known of.
      *
      * @param velocity   beyond that at the step's end, tangential, in m/s.
      * @param area       of wall that belongs to the node, in m^2.
      * @param time_step  in s.
      */
     void
-    stretch(FrictionMemory &memory,
-            const double    velocity,
-            const double    area,
-            const double    time_step) const
+    stretch(FrictionMemory<dim>  &memory,
+            const Tensor<1, dim> &velocity,
+            const double          area,
+            const double          time_step) const
     {
       if (!memory.is_sliding)
-        memory.tangential_force -=
+        memory.force -=
           stiffness(memory.mass, area, time_step) * time_step * velocity;
     }
 
@@ -158,21 +162,20 @@ namespace Sandglass
      *
      * @param[in,out] memory  takes on the mass.
      */
-    double
-    force_at_new_mass(FrictionMemory &memory,
-                      const double    mass,
-                      const double    area,
-                      const double    time_step) const
+    Tensor<1, dim>
+    force_at_new_mass(FrictionMemory<dim> &memory,
+                      const double         mass,
+                      const double         area,
+                      const double         time_step) const
     {
       const double old_mass = std::exchange(memory.mass, mass);
       if (old_mass == 0.)
-        return memory.tangential_force;
-      return memory.tangential_force *
-             std::sqrt(stiffness(mass, area, time_step) /
-                       stiffness(old_mass, area, time_step));
+        return memory.force;
+      return std::sqrt(stiffness(mass, area, time_step) /
+                       stiffness(old_mass, area, time_step)) *
+             memory.force;
     }
 
-    double         coefficient;
     double         penalty;
     double         penalty_limit;
     FrictionUpdate update;

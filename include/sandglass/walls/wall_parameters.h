@@ -3,11 +3,15 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <sandglass/base/parameter_entries.h>
 #include <sandglass/walls/friction.h>
+
+#include <optional>
 
 namespace Sandglass
 {
-  /// Section `Walls`: friction between the material and the silo.
+  /// Section `Walls`: friction between the material and the silo, and the
+  /// walls' motion.
   class WallParameters : public dealii::ParameterAcceptor
   {
   public:
@@ -27,7 +31,15 @@ namespace Sandglass
       free   ///< no nodal contact; particles are held above the wall instead
     };
 
-    double          friction_angle     = 20.; ///< in degrees
+    double                friction_angle = 20.;  ///< in degrees, of other walls
+    std::optional<double> floor_friction_angle;  ///< likewise
+    std::optional<double> hopper_friction_angle; ///< likewise
+
+    /// By standard part or physical group: one number, in degrees.
+    NamedNumbers friction_angles;
+    /// Likewise: x, y and, in three dimensions, z, in m/s.
+    NamedNumbers velocities;
+
     double          tangential_penalty = 1e7; ///< c_T, in N/m^3
     double          penalty_limit      = 0.2; ///< of c_T A dt^2 / m; 0: none
     NormalCondition normal_condition   = NormalCondition::velocity;
@@ -35,9 +47,9 @@ namespace Sandglass
     bool            fix_bottom_corner  = true;
     OutletLip       outlet_lip         = OutletLip::free;
 
-    /// mu = tan(friction angle)
-    double
-    friction_coefficient() const;
+    /// Throws InputError where values contradict each other.
+    void
+    check() const;
   };
 } // namespace Sandglass
 

@@ -1,12 +1,48 @@
+#include <deal.II/base/mpi.h>
+
 #include <sandglass/choices.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
 
+#include <map>
+
 namespace Sandglass
 {
+  namespace
+  {
+    /// Which support a force of the state at rest has come from: the wall's, or
+    /// one with its direction. None if a wall has gone with its direction.
+    template <int dim>
+    int
+    find_support(const BoundaryNode<dim> &node, const WallForce<dim> &force)
+    {
+      constexpr double same_direction = 1. - 1e-8;
+
+      int    found   = -1;
+      double nearest = -1.;
+      for (unsigned int s = 0; s < node.supports.size(); ++s)
+        {
+          const Support<dim> &support = node.supports[s];
+          const double        cosine  = support.normal * force.normal;
+          bool                matches = cosine > same_direction;
+          for (const WallShare &share : support.walls)
+            matches = matches || share.wall == force.wall;
+          if (matches && !support.is_axis && cosine > nearest)
+            {
+              found   = s;
+              nearest = cosine;
+            }
+        }
+      return found;
+    }
+  } // namespace
+
+
+
   template <int dim>
-  Contact<dim>::Contact(const Scene<dim> &scene, const WallParameters &parameters)
-    : friction(parameters.friction_coefficient(),
-               parameters.tangential_penalty,
+  Contact<dim>::Contact(const Scene<dim>     &scene,
+                        const WallParameters &parameters)
+    : HeldNodes<dim>(scene, parameters)
+    , friction(parameters.tangential_penalty,
                parameters.penalty_limit,
                parameters.friction_update)
     , stops_velocity(parameters.normal_condition ==
@@ -15,83 +51,90 @@ namespace Sandglass
     // before it is looked at again; the impulse that stops the nodes there
     // brakes what starts to swing.
     , has_image(scene.formulation == Formulation::plane_strain)
-    , communicator(scene.communicator)
     , scene(scene)
+    , end_velocities(nodes.size())
+    , memories(nodes.size())
+    , sums(scene, nodes)
+  {}
+
+
+
+  template <int dim>
+  void
+  Contact<dim>::start_from(const std::vector<WallForce<dim>> &wall_forces)
   {
-    for (const auto &boundary :
-         find_boundary_nodes(scene.dof_handler, scene.formulation, parameters))
+    // The static stage divides nodes between the ranks in its own way.
+    std::multimap<unsigned int, WallForce<dim>> forces_at;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(scene.communicator, wall_forces))
+      for (const WallForce<dim> &force : of_rank)
+        forces_at.emplace(force.vertex, force);
+
+    for (unsigned int n = 0; n < nodes.size(); ++n)
       {
-        if (!scene.nodes->in_local_range(boundary.dof))
-          continue;
-        Node node{
-          scene.nodes->global_to_local(boundary.dof), boundary, {}, 0, {}};
-        for (unsigned int s = 0; s < boundary.supports.size(); ++s)
-          node.impulse[s] = {boundary.position,
-                             boundary.supports[s].role,
-                             boundary.supports[s].normal,
-                             boundary.supports[s].tributary_area,
-                             0.,
-                             0.};
-        nodes.push_back(node);
+        memories[n]             = {};
+        const auto [begin, end] = forces_at.equal_range(nodes[n].vertex);
+        for (auto entry = begin; entry != end; ++entry)
+          {
+            const int s = find_support(nodes[n], entry->second);
+            if (s >= 0)
+              memories[n][s].force +=
+                nodes[n].supports[s].tangential(entry->second.force);
+          }
       }
-    memories.resize(nodes.size());
   }
 
 
 
   template <int dim>
   void
-  Contact<dim>::apply(const NodalSumField<dim> &sums,
-                 const double                              time_step,
-                 NodalField<dim>                          &acceleration)
+  Contact<dim>::apply(const NodalSumField<dim> &nodal_sums,
+                      const double              time_step,
+                      NodalField<dim>          &acceleration)
   {
     summed_time += time_step;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
-        Node         &node = nodes[n];
-        const double *sum  = sums.at(node.index);
-        const double  mass = sum[NodalSum::mass];
+        const BoundaryNode<dim> &node = nodes[n];
+        const double            *sum  = nodal_sums.at(field_indices[n]);
+        const double             mass = sum[NodalSum::mass];
         if (mass <= 0.)
           {
-            memories[n]  = {};
-            node.holding = 0;
+            memories[n] = {};
+            holding[n]  = 0;
             continue;
           }
 
-        double        *node_acceleration = acceleration.at(node.index);
+        double        *node_acceleration = acceleration.at(field_indices[n]);
         Tensor<1, dim> velocity, free_velocity;
         for (unsigned int d = 0; d < dim; ++d)
           velocity[d] = sum[NodalSum::momentum + d] / mass;
         if (has_image)
-          cancel_by_image(node.boundary, velocity);
+          cancel_by_image(node, velocity);
         for (unsigned int d = 0; d < dim; ++d)
           free_velocity[d] = velocity[d] + time_step * node_acceleration[d];
 
         const Tensor<1, dim> approach =
           stops_velocity ? free_velocity : free_velocity - velocity;
-        const unsigned int holding = holding_supports(node.boundary, approach);
-        node.holding               = holding;
+        holding[n] = holding_supports(node, approach);
         Tensor<1, dim> end_velocity =
-          free_velocity - approach +
-          held_velocity(node.boundary, holding, approach);
-        if (holding == 3 || node.boundary.is_fixed)
-          record_normal_impulses(node, mass * (end_velocity - free_velocity));
-        for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
-          if (node.is_held_by_one(s))
+          free_velocity - approach + held_velocity(node, holding[n], approach);
+        if (n_supports(holding[n]) > 1 || node.is_fixed)
+          record_normal_impulse(n, mass * (end_velocity - free_velocity));
+        for (unsigned int s = 0; s < node.supports.size(); ++s)
+          if (is_held_by_one(n, s))
             end_velocity +=
-              wall_reaction(node,
-                            memories[n][s],
+              wall_reaction(n,
                             s,
                             mass,
-                            mass *
-                              (approach * node.boundary.supports[s].normal),
+                            mass * (approach * node.supports[s].normal),
                             velocity,
                             free_velocity,
                             time_step);
           else
             memories[n][s] = {};
 
-        node.end_velocity = end_velocity;
+        end_velocities[n] = end_velocity;
         for (unsigned int d = 0; d < dim; ++d)
           node_acceleration[d] = (end_velocity[d] - velocity[d]) / time_step;
       }
@@ -101,51 +144,84 @@ namespace Sandglass
 
   template <int dim>
   Tensor<1, dim>
-  Contact<dim>::wall_reaction(Node                 &node,
-                         FrictionMemory       &memory,
-                         const unsigned int    support_index,
-                         const double          mass,
-                         const double          normal_impulse,
-                         const Tensor<1, dim> &velocity,
-                         const Tensor<1, dim> &free_velocity,
-                         const double          time_step)
+  Contact<dim>::wall_reaction(const unsigned int    n,
+                              const unsigned int    s,
+                              const double          mass,
+                              const double          normal_impulse,
+                              const Tensor<1, dim> &velocity,
+                              const Tensor<1, dim> &free_velocity,
+                              const double          time_step)
   {
-    const NodeSupport<dim> &support = node.boundary.supports[support_index];
-    WallForce<dim>         &impulse = node.impulse[support_index];
-    impulse.normal_force += normal_impulse;
-    if (support.role == BoundaryRole::axis)
+    const Support<dim> &support = nodes[n].supports[s];
+    sums.add_normal(n, s, -normal_impulse * support.normal);
+    if (support.is_axis)
       return {};
 
-    const Tensor<1, dim> tangent         = wall_tangent(support.normal);
-    const double         free_tangential = free_velocity * tangent;
-    const double         force           = friction.tangential_force(memory,
-                                                   normal_impulse / time_step,
-                                                   velocity * tangent,
-                                                   free_tangential,
-                                                   mass,
-                                                   support.tributary_area,
-                                                   time_step);
-    impulse.tangential_force += force * time_step;
-    const double change = time_step * force / mass;
-    dissipation -= force * time_step * (free_tangential + change);
-    return change * tangent;
+    const Tensor<1, dim> free_slip =
+      support.tangential(free_velocity) - support.velocity;
+    const Tensor<1, dim> force =
+      friction.force(memories[n][s],
+                     support.friction_coefficient *
+                       (normal_impulse / time_step),
+                     support.tangential(velocity) - support.velocity,
+                     free_slip,
+                     mass,
+                     support.area,
+                     time_step);
+    sums.add_friction(n, s, time_step * force);
+    const Tensor<1, dim> change = time_step / mass * force;
+    dissipation -= time_step * (force * (free_slip + change));
+    work += time_step * (force * support.velocity);
+    return change;
   }
 
 
 
   template <int dim>
-  template <typename Holding>
   void
-  Contact<dim>::release(NodalField<dim> &field, const Holding &holding) const
+  Contact<dim>::record_normal_impulse(const unsigned int    n,
+                                      const Tensor<1, dim> &impulse)
   {
-    for (const Node &node : nodes)
+    const auto      &supports = nodes[n].supports;
+    const SupportSet set =
+      nodes[n].is_fixed ? all_supports(supports.size()) : holding[n];
+    const HeldDirections<dim> held(supports, set);
+    const auto                coefficients = held.split(impulse);
+    // What no normal carries, a fixed node's supports have in equal parts.
+    const Tensor<1, dim> rest =
+      nodes[n].is_fixed ?
+        held.left_of(impulse) / static_cast<double>(supports.size()) :
+        Tensor<1, dim>();
+    for (unsigned int s = 0; s < supports.size(); ++s)
+      if (contains(set, s))
+        sums.add_normal(n, s, coefficients[s] * supports[s].normal + rest);
+  }
+
+
+
+  template <int dim>
+  void
+  Contact<dim>::add_forces(const NodalField<dim> &forces,
+                           const double           time_step)
+  {
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      if (holding[n] != 0)
+        record_normal_impulse(n,
+                              time_step *
+                                vector_at<dim>(forces, field_indices[n]));
+  }
+
+
+
+  template <int dim>
+  void
+  Contact<dim>::add_impulses(const std::vector<WallImpulse<dim>> &impulses)
+  {
+    for (const WallImpulse<dim> &at_wall : impulses)
       {
-        double              *values = field.at(node.index);
-        const Tensor<1, dim> value({values[0], values[1]});
-        const Tensor<1, dim> released =
-          held_velocity(node.boundary, holding(node, value), value);
-        for (unsigned int d = 0; d < dim; ++d)
-          values[d] = released[d];
+        sums.add(at_wall);
+        dissipation -= at_wall.impulse * at_wall.slip;
+        work += at_wall.impulse * at_wall.wall_velocity;
       }
   }
 
@@ -153,40 +229,20 @@ namespace Sandglass
 
   template <int dim>
   void
-  Contact<dim>::constrain(NodalField<dim> &velocity) const
-  {
-    release(velocity,
-            [](const Node &node, const Tensor<1, dim> &free_velocity) {
-              // A wall that presses lets a node move neither in nor out, or
-              // v^L's noise would pump material off it. The other one lets
-              // nothing in.
-              const auto pressed_velocity =
-                held_velocity(node.boundary, node.holding, free_velocity);
-              return node.holding |
-                     holding_supports(node.boundary, pressed_velocity);
-            });
-  }
-
-
-
-  template <int dim>
-  void
   Contact<dim>::stretch_friction(const NodalField<dim> &mapped_velocity,
-                            const double           time_step)
+                                 const double           time_step)
   {
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
-        const Node          &node   = nodes[n];
-        const double        *mapped = mapped_velocity.at(node.index);
         const Tensor<1, dim> difference =
-          Tensor<1, dim>({mapped[0], mapped[1]}) - node.end_velocity;
-        for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
+          vector_at<dim>(mapped_velocity, field_indices[n]) - end_velocities[n];
+        for (unsigned int s = 0; s < nodes[n].supports.size(); ++s)
           {
-            const NodeSupport<dim> &support = node.boundary.supports[s];
-            if (node.is_held_by_one(s) && support.role != BoundaryRole::axis)
+            const Support<dim> &support = nodes[n].supports[s];
+            if (is_held_by_one(n, s) && !support.is_axis)
               friction.stretch(memories[n][s],
-                               difference * wall_tangent(support.normal),
-                               support.tributary_area,
+                               support.tangential(difference),
+                               support.area,
                                time_step);
           }
       }
@@ -196,79 +252,37 @@ namespace Sandglass
 
   template <int dim>
   void
-  Contact<dim>::release_held(NodalField<dim> &field) const
+  Contact<dim>::cancel_by_image(const BoundaryNode<dim> &node,
+                                Tensor<1, dim>          &velocity)
   {
-    release(field, [](const Node &node, const Tensor<1, dim> &) {
-      return node.holding;
-    });
+    for (const Support<dim> &support : node.supports)
+      if (support.is_axis)
+        velocity = support.tangential(velocity);
   }
 
 
 
   template <int dim>
-  void
-  Contact<dim>::release_always_held(NodalField<dim> &field) const
+  WallArea
+  Contact<dim>::wall_area() const
   {
-    release(field, [](const Node &node, const Tensor<1, dim> &) {
-      unsigned int holding = 0;
-      for (unsigned int s = 0; s < node.boundary.supports.size(); ++s)
-        if (node.boundary.supports[s].role == BoundaryRole::axis)
-          holding |= 1u << s;
-      return holding;
-    });
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Contact<dim>::holding_supports(const BoundaryNode<dim>   &node,
-                            const Tensor<1, dim> &velocity)
-  {
-    const auto holds = [&node](const unsigned int    s,
-                               const Tensor<1, dim> &trial_velocity) {
-      return node.supports[s].role == BoundaryRole::axis ||
-             trial_velocity * node.supports[s].normal > 0.;
-    };
-
-    if (node.is_free)
-      return 0;
-    if (node.supports.size() == 1)
-      return holds(0, velocity) ? 1 : 0;
-
-    unsigned int n_held = 0;
-    for (const unsigned int s : {0u, 1u})
-      if (holds(s, velocity))
+    WallArea area{0., 0.};
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (unsigned int s = 0; s < nodes[n].supports.size(); ++s)
         {
-          ++n_held;
-          const unsigned int other = 1 - s;
-          if (!holds(other, held_velocity(node, 1u << s, velocity)))
-            return 1u << s;
+          const Support<dim> &support = nodes[n].supports[s];
+          if (!contains(holding[n], s) || support.is_axis)
+            continue;
+          area.touching += support.area;
+          if (memories[n][s].is_sliding)
+            area.sliding += support.area;
         }
-    return n_held == 0 ? 0 : 3;
+    return area;
   }
 
 
 
-  template <int dim>
-  Tensor<1, dim>
-  Contact<dim>::held_velocity(const BoundaryNode<dim>   &node,
-                         const unsigned int    holding,
-                         const Tensor<1, dim> &velocity)
-  {
-    if (node.is_fixed || holding == 3)
-      return {};
-    Tensor<1, dim> held = velocity;
-    for (unsigned int s = 0; s < node.supports.size(); ++s)
-      if (holding == 1u << s)
-        held -= (velocity * node.supports[s].normal) * node.supports[s].normal;
-    return held;
-  }
-
-
-
-#define INSTANTIATE(dim) \
-  template class Contact<dim>;
+#define INSTANTIATE(dim) template class Contact<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

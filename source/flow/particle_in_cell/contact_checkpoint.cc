@@ -6,6 +6,8 @@
 #include <sandglass/flow/particle_in_cell/contact.h>
 
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <map>
@@ -14,14 +16,13 @@ namespace Sandglass
 {
   namespace
   {
-    /// What a node remembers of its contact.
-    struct NodeState
+    /// What a checkpoint has of one node.
+    template <int dim>
+    struct SavedNode
     {
-      /// Vertex of the triangulation, the same on any number of ranks.
-      unsigned int                  vertex;
-      std::array<FrictionMemory, 2> friction;
-      /// Normal and tangential impulse of each support, in N s.
-      std::array<double, 4> impulses;
+      unsigned int                            vertex; ///< of the scene's mesh
+      std::array<FrictionMemory<dim>, dim>    friction;
+      typename WallImpulseSums<dim>::NodeSums impulses;
 
       template <class Archive>
       void
@@ -30,21 +31,6 @@ namespace Sandglass
         archive &vertex &friction &impulses;
       }
     };
-
-
-
-    /// Vertex of each node of this rank's cells.
-    template <int dim>
-    std::map<types::global_dof_index, unsigned int>
-    vertices_of_nodes(const Scene<dim> &scene)
-    {
-      std::map<types::global_dof_index, unsigned int> vertices;
-      for (const auto &cell : scene.dof_handler.active_cell_iterators())
-        if (!cell->is_artificial())
-          for (const unsigned int v : cell->vertex_indices())
-            vertices[cell->vertex_dof_index(v, 0)] = cell->vertex_index(v);
-      return vertices;
-    }
   } // namespace
 
 
@@ -53,20 +39,14 @@ namespace Sandglass
   void
   Contact<dim>::save(boost::archive::binary_oarchive &archive) const
   {
-    const auto             vertices = vertices_of_nodes(scene);
-    const auto             sums     = impulses();
-    std::vector<NodeState> of_rank;
+    std::vector<SavedNode<dim>> of_rank;
     for (unsigned int n = 0; n < nodes.size(); ++n)
-      of_rank.push_back({vertices.at(nodes[n].boundary.dof),
-                         memories[n],
-                         {{sums[n][0].normal_force,
-                           sums[n][0].tangential_force,
-                           sums[n][1].normal_force,
-                           sums[n][1].tangential_force}}});
-    std::vector<NodeState> states;
-    for (const auto &part : Utilities::MPI::gather(communicator, of_rank))
-      states.insert(states.end(), part.begin(), part.end());
-    archive << summed_time << states;
+      of_rank.push_back({nodes[n].vertex, memories[n], sums.at_nodes[n]});
+    std::vector<SavedNode<dim>> saved;
+    for (const auto &part : Utilities::MPI::gather(scene.communicator, of_rank))
+      saved.insert(saved.end(), part.begin(), part.end());
+    archive << summed_time << saved
+            << Utilities::MPI::gather(scene.communicator, sums.on_particles);
   }
 
 
@@ -75,30 +55,39 @@ namespace Sandglass
   void
   Contact<dim>::load(boost::archive::binary_iarchive &archive)
   {
-    std::vector<NodeState> states;
-    archive >> summed_time >> states;
-    std::map<unsigned int, const NodeState *> state_at;
-    for (const NodeState &state : states)
-      state_at[state.vertex] = &state;
+    std::vector<SavedNode<dim>>                             saved;
+    std::vector<typename WallImpulseSums<dim>::FaceSumsMap> on_particles;
+    archive >> summed_time >> saved >> on_particles;
 
-    impulses_on_particles.clear();
-    const auto vertices = vertices_of_nodes(scene);
+    std::map<unsigned int, const SavedNode<dim> *> saved_at;
+    for (const SavedNode<dim> &node : saved)
+      saved_at[node.vertex] = &node;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
-        const NodeState &state =
-          *state_at.at(vertices.at(nodes[n].boundary.dof));
-        memories[n] = state.friction;
-        for (const unsigned int s : {0u, 1u})
-          {
-            nodes[n].impulse[s].normal_force     = state.impulses[2 * s];
-            nodes[n].impulse[s].tangential_force = state.impulses[2 * s + 1];
-          }
+        const SavedNode<dim> &node = *saved_at.at(nodes[n].vertex);
+        memories[n]                = node.friction;
+        sums.at_nodes[n]           = node.impulses;
       }
+
+    // A rank's own sums, or on another number of ranks all on rank 0.
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(scene.communicator);
+    sums.on_particles.clear();
+    if (on_particles.size() ==
+        Utilities::MPI::n_mpi_processes(scene.communicator))
+      sums.on_particles = on_particles[rank];
+    else if (rank == 0)
+      for (const auto &of_rank : on_particles)
+        for (const auto &[face, impulses] : of_rank)
+          for (unsigned int v = 0; v < impulses.size(); ++v)
+            sums.on_particles[face][v] += impulses[v];
   }
 
 
 
-#define INSTANTIATE(dim) template class Contact<dim>;
+#define INSTANTIATE(dim)                                                     \
+  template void Contact<dim>::save(boost::archive::binary_oarchive &) const; \
+  template void Contact<dim>::load(boost::archive::binary_iarchive &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -3,8 +3,8 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <sandglass/choices.h>
-#include <sandglass/scene/triangulate.h>
 #include <sandglass/flow/updated_lagrangian/filled_grid.h>
+#include <sandglass/scene/triangulate.h>
 
 #include <algorithm>
 
@@ -37,13 +37,15 @@ namespace Sandglass
     , dof_handler(triangulation)
     , node_handler(triangulation)
   {
-    const Mesh<dim> mesh      = filled_part(scene.mesh, scene_cells);
-    const auto partition = triangulation.signals.create.connect([&]() {
+    const MeshPart<dim> part = filled_part(scene.mesh);
+    scene_cells              = part.cells;
+    scene_vertices           = part.vertices;
+    const auto partition     = triangulation.signals.create.connect([&]() {
       for (const auto &cell : triangulation.active_cell_iterators())
         cell->set_subdomain_id(
           scene.cell_owners[scene_cells[cell->active_cell_index()]]);
     });
-    triangulate(mesh, triangulation);
+    triangulate(part.mesh, triangulation);
     partition.disconnect();
 
     dof_handler.distribute_dofs(finite_element);
@@ -84,8 +86,7 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template class FilledGrid<dim>;
+#define INSTANTIATE(dim) template class FilledGrid<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -67,7 +67,7 @@ namespace Sandglass
                                    material_parameters,
                                    scene.gravity))
     , contact(filled_grid,
-              scene.formulation,
+              scene,
               wall_parameters,
               equilibrium->weight(),
               equilibrium->confined_modulus())

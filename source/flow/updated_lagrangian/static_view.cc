@@ -149,8 +149,8 @@ namespace Sandglass
   {
     WallArea area{0., 0.}; // at rest nothing slides
     for (const WallForce<dim> &force : contact.wall_forces())
-      if (force.normal_force > 0.)
-        area.touching += force.tributary_area;
+      if (force.force * force.normal < 0.)
+        area.touching += force.area;
     return area;
   }
 
@@ -165,19 +165,14 @@ namespace Sandglass
     for (const WallForce<dim> &force : contact.wall_forces())
       {
         WallRecord record{};
-        record.wall = static_cast<WallId>(force.role);
-        record.area = force.tributary_area;
-        for (unsigned int i = 0; i < scene.mesh.vertices.size(); ++i)
-          if (scene.mesh.vertices[i].distance(force.position) < 1e-10)
-            record.vertex = i;
-        const Tensor<1, dim> impulse =
-          -force.normal_force * force.normal +
-          force.tangential_force * wall_tangent(force.normal);
+        record.wall   = force.wall;
+        record.vertex = force.vertex;
+        record.area   = force.area;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            record.position[d] = force.position[d];
+            record.position[d] = scene.mesh.vertices[force.vertex][d];
             record.normal[d]   = force.normal[d];
-            record.impulse[d]  = impulse[d];
+            record.impulse[d]  = force.force[d];
           }
         result.records.push_back(record);
       }

@@ -2,6 +2,7 @@
 
 #include <sandglass/choices.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
+#include <sandglass/walls/coulomb.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,19 +22,6 @@ namespace Sandglass
       return value;
     }
 
-
-
-    /// Coefficients a_i of a = a_1 n_1 + a_2 n_2.
-    std::array<double, 2>
-    split(const Tensor<1, 2> &a, const Tensor<1, 2> &n_1, const Tensor<1, 2> &n_2)
-    {
-      const auto cross = [](const Tensor<1, 2> &b, const Tensor<1, 2> &c) {
-        return b[0] * c[1] - b[1] * c[0];
-      };
-      const double determinant = cross(n_1, n_2);
-      Assert(std::abs(determinant) > 1e-8, ExcInternalError());
-      return {{cross(a, n_2) / determinant, cross(n_1, a) / determinant}};
-    }
   } // namespace
 
 
@@ -41,8 +29,8 @@ namespace Sandglass
   template <int dim>
   void
   WallContact<dim>::evaluate(const Vector &force,
-                        const Vector &displacement,
-                        const Vector &increment)
+                             const Vector &displacement,
+                             const Vector &increment)
   {
     for (Node &node : nodes)
       evaluate_node(node,
@@ -56,26 +44,34 @@ namespace Sandglass
   template <int dim>
   void
   WallContact<dim>::evaluate_node(Node                 &node,
-                             const Tensor<1, dim> &force,
-                             const Tensor<1, dim> &displacement,
-                             const Tensor<1, dim> &increment) const
+                                  const Tensor<1, dim> &force,
+                                  const Tensor<1, dim> &displacement,
+                                  const Tensor<1, dim> &increment) const
   {
-    std::vector<Support *> active;
-    for (Support &support : node.supports)
+    SupportSet   active = 0;
+    unsigned int last   = 0;
+    for (unsigned int s = 0; s < node.supports.size(); ++s)
       {
-        support.gap              = support.normal * displacement;
-        support.normal_force     = 0.;
-        support.tangential_force = 0.;
-        if (support.is_active)
-          active.push_back(&support);
+        State &state           = node.states[s];
+        state.gap              = node.supports[s].normal * displacement;
+        state.normal_force     = 0.;
+        state.tangential_force = Tensor<1, dim>();
+        if (state.is_active)
+          {
+            active |= 1u << s;
+            last = s;
+          }
       }
 
     node.equations = NodeEquations();
-    if (active.size() == 2)
-      evaluate_held(
-        node.equations, *active[0], *active[1], force, displacement);
-    else if (active.size() == 1)
-      evaluate_sliding(node.equations, *active[0], force, increment);
+    if (n_supports(active) > 1)
+      evaluate_corner(node, active, force, displacement);
+    else if (active != 0)
+      evaluate_sliding(node.equations,
+                       node.supports[last],
+                       node.states[last],
+                       force,
+                       increment);
     else
       {
         node.equations.force_operator = unit_symmetric_tensor<dim>();
@@ -87,17 +83,28 @@ namespace Sandglass
 
   template <int dim>
   void
-  WallContact<dim>::evaluate_held(NodeEquations        &equations,
-                             Support              &first,
-                             Support              &second,
-                             const Tensor<1, dim> &force,
-                             const Tensor<1, dim> &displacement) const
+  WallContact<dim>::evaluate_corner(Node                 &node,
+                                    const SupportSet      active,
+                                    const Tensor<1, dim> &force,
+                                    const Tensor<1, dim> &displacement) const
   {
-    const auto shares   = split(-force, first.normal, second.normal);
-    first.normal_force  = shares[0];
-    second.normal_force = shares[1];
-    equations.stiffness = constraint_scale * unit_symmetric_tensor<dim>();
-    equations.residual  = constraint_scale * displacement;
+    const HeldDirections<dim> held(node.supports, active);
+    const auto                shares = held.split(-force);
+    for (unsigned int s = 0; s < node.supports.size(); ++s)
+      node.states[s].normal_force = shares[s];
+
+    NodeEquations &equations = node.equations;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        Tensor<1, dim> direction;
+        direction[d]                = 1.;
+        const Tensor<1, dim> left   = held.left_of(direction);
+        equations.force_operator[d] = left;
+        equations.stiffness[d]      = constraint_scale * (direction - left);
+      }
+    const Tensor<1, dim> free_displacement = held.left_of(displacement);
+    equations.residual = constraint_scale * (displacement - free_displacement) +
+                         held.left_of(force);
   }
 
 
@@ -105,40 +112,44 @@ namespace Sandglass
   template <int dim>
   void
   WallContact<dim>::evaluate_sliding(NodeEquations        &equations,
-                                Support              &support,
-                                const Tensor<1, dim> &force,
-                                const Tensor<1, dim> &increment) const
+                                     const Support<dim>   &support,
+                                     State                &state,
+                                     const Tensor<1, dim> &force,
+                                     const Tensor<1, dim> &increment) const
   {
     const Tensor<1, dim> &n = support.normal;
-    const Tensor<1, dim> &t = support.tangent;
 
-    support.normal_force = -(n * force);
-    equations.stiffness  = constraint_scale * outer_product(n, n);
-    equations.residual   = constraint_scale * support.gap * n;
+    state.normal_force  = -(n * force);
+    equations.stiffness = constraint_scale * outer_product(n, n);
+    equations.residual  = constraint_scale * state.gap * n;
 
-    const double mu =
-      support.role == BoundaryRole::axis ? 0. : friction_coefficient;
-    const double limit  = mu * std::max(support.normal_force, 0.);
-    const double spring = tangential_penalty * support.tributary_area;
-    const double trial  = support.tangential_before - spring * (t * increment);
+    const double         mu     = support.friction_coefficient;
+    const double         limit  = mu * std::max(state.normal_force, 0.);
+    const double         spring = tangential_penalty * support.area;
+    const Tensor<1, dim> trial =
+      state.tangential_before - spring * support.tangential(increment);
+    const Tensor<2, dim> in_plane =
+      Tensor<2, dim>(unit_symmetric_tensor<dim>()) - outer_product(n, n);
 
     // A limit of zero counts as sliding, so that the first iteration is that
     // of smooth walls. From there Newton's method finds the way, which it
     // doesn't from walls to which the material sticks.
-    Tensor<1, dim> direction = t;
-    if (std::abs(trial) >= limit)
+    const Friction<dim> friction = coulomb(trial, limit);
+    state.tangential_force       = friction.force;
+    equations.force_operator     = in_plane;
+    if (!friction.is_sliding)
+      equations.stiffness += spring * in_plane;
+    else if (limit > 0.)
       {
-        support.tangential_force = std::copysign(limit, trial);
-        if (limit > 0.)
-          direction += std::copysign(mu, trial) * n;
+        const Tensor<1, dim> direction = trial / trial.norm();
+        equations.force_operator += mu * outer_product(direction, n);
+        // In three dimensions the direction turns with the slip.
+        if (dim > 2)
+          equations.stiffness +=
+            spring * limit / trial.norm() *
+            (in_plane - outer_product(direction, direction));
       }
-    else
-      {
-        support.tangential_force = trial;
-        equations.stiffness += spring * outer_product(t, t);
-      }
-    equations.force_operator = outer_product(t, direction);
-    equations.residual += (t * force - support.tangential_force) * t;
+    equations.residual += support.tangential(force) - friction.force;
   }
 
 
@@ -173,21 +184,24 @@ namespace Sandglass
     unsigned int n_changes = 0;
     for (Node &node : nodes)
       {
-        // Of two supports that pull, the one that pulls more goes first.
-        Support *released = nullptr;
-        for (Support &support : node.supports)
-          if (support.is_active && !support.is_bilateral &&
-              support.normal_force < -load_share * node.weight.norm() &&
-              (!released || support.normal_force < released->normal_force))
-            released = &support;
+        // Of several supports that pull, the one that pulls most goes first.
+        State *released = nullptr;
+        for (unsigned int s = 0; s < node.supports.size(); ++s)
+          {
+            State &state = node.states[s];
+            if (state.is_active && !state.is_bilateral &&
+                state.normal_force < -load_share * node.weight.norm() &&
+                (!released || state.normal_force < released->normal_force))
+              released = &state;
+          }
 
         bool is_changed = released != nullptr;
         if (released)
           released->is_active = false;
         else
-          for (Support &support : node.supports)
-            if (!support.is_active && support.gap > 0.)
-              is_changed = support.is_active = true;
+          for (unsigned int s = 0; s < node.supports.size(); ++s)
+            if (!node.states[s].is_active && node.states[s].gap > 0.)
+              is_changed = node.states[s].is_active = true;
         n_changes += is_changed && node.is_owned;
       }
     return Utilities::MPI::sum(n_changes, communicator);
@@ -200,10 +214,10 @@ namespace Sandglass
   WallContact<dim>::commit()
   {
     for (Node &node : nodes)
-      for (Support &support : node.supports)
+      for (State &state : node.states)
         {
-          support.was_active        = support.is_active;
-          support.tangential_before = support.tangential_force;
+          state.was_active        = state.is_active;
+          state.tangential_before = state.tangential_force;
         }
   }
 
@@ -214,8 +228,8 @@ namespace Sandglass
   WallContact<dim>::restore()
   {
     for (Node &node : nodes)
-      for (Support &support : node.supports)
-        support.is_active = support.was_active;
+      for (State &state : node.states)
+        state.is_active = state.was_active;
   }
 
 
@@ -226,21 +240,26 @@ namespace Sandglass
   {
     std::vector<WallForce<dim>> forces;
     for (const Node &node : nodes)
-      for (const Support &support : node.supports)
-        if (node.is_owned && is_wall(support.role))
-          forces.push_back({node.position,
-                            support.role,
-                            support.normal,
-                            support.tributary_area,
-                            support.normal_force,
-                            support.tangential_force});
+      for (unsigned int s = 0; s < node.supports.size(); ++s)
+        {
+          const Support<dim> &support = node.supports[s];
+          const State        &state   = node.states[s];
+          for (const WallShare &share : support.walls)
+            if (node.is_owned)
+              forces.push_back(
+                {share.wall,
+                 node.vertex,
+                 support.normal,
+                 share.area,
+                 -share.of_normal_force * state.normal_force * support.normal +
+                   share.of_friction * state.tangential_force});
+        }
     return forces;
   }
 
 
 
-#define INSTANTIATE(dim) \
-  template class WallContact<dim>;
+#define INSTANTIATE(dim) template class WallContact<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -12,40 +12,42 @@ namespace Sandglass
     /// Material on the axis can't leave it: there a wall acts along it only.
     template <int dim>
     void
-    align_with_axis(std::vector<NodeSupport<dim>> &supports)
+    align_with_axis(Supports<dim> &supports)
     {
       const bool has_axis =
         std::any_of(supports.begin(), supports.end(), [](const auto &support) {
-          return support.role == BoundaryRole::axis;
+          return support.is_axis;
         });
       for (auto &support : supports)
-        if (has_axis && support.role != BoundaryRole::axis)
-          support.normal =
-            Tensor<1, dim>({0., std::copysign(1., support.normal[1])});
+        if (has_axis && !support.is_axis)
+          {
+            const double up   = std::copysign(1., support.normal[1]);
+            support.normal    = Tensor<1, dim>();
+            support.normal[1] = up;
+          }
     }
   } // namespace
 
 
 
   template <int dim>
-  WallContact<dim>::WallContact(const FilledGrid<dim>     &grid,
-                           const Formulation     formulation,
-                           const WallParameters &parameters,
-                           const Vector         &weight,
-                           const double          constraint_scale)
+  WallContact<dim>::WallContact(const FilledGrid<dim> &grid,
+                                const Scene<dim>      &scene,
+                                const WallParameters  &parameters,
+                                const Vector          &weight,
+                                const double           constraint_scale)
     : communicator(grid.triangulation.get_communicator())
-    , friction_coefficient(parameters.friction_coefficient())
     , tangential_penalty(parameters.tangential_penalty)
     , constraint_scale(constraint_scale)
     , node_at_vertex(grid.triangulation.n_vertices(),
                      numbers::invalid_unsigned_int)
   {
-    collect_nodes(grid, formulation, parameters);
+    collect_nodes(grid, scene, parameters);
     for (Node &node : nodes)
       {
         for (unsigned int d = 0; d < dim; ++d)
           node.weight[d] = weight[node.dofs[d]];
-        open_upper_support(node);
+        open_upper_supports(node);
       }
   }
 
@@ -53,25 +55,22 @@ namespace Sandglass
 
   template <int dim>
   void
-  WallContact<dim>::collect_nodes(const FilledGrid<dim>     &grid,
-                             const Formulation     formulation,
-                             const WallParameters &parameters)
+  WallContact<dim>::collect_nodes(const FilledGrid<dim> &grid,
+                                  const Scene<dim>      &scene,
+                                  const WallParameters  &parameters)
   {
     std::map<types::global_dof_index, unsigned int> index_of;
-    for (BoundaryNode<dim> &found :
-         find_boundary_nodes(grid.node_handler, formulation, parameters))
+    for (BoundaryNode<dim> &found : find_boundary_nodes(
+           grid.node_handler, scene.formulation, scene.walls, parameters))
       {
-        align_with_axis(found.supports);
+        align_with_axis<dim>(found.supports);
         index_of[found.dof] = nodes.size();
         Node node;
-        node.position = found.position;
-        for (const NodeSupport<dim> &support : found.supports)
-          node.supports.push_back(
-            {support.role,
-             support.normal,
-             wall_tangent(support.normal),
-             support.tributary_area,
-             found.is_fixed || support.role == BoundaryRole::axis});
+        node.vertex   = grid.scene_vertices[found.vertex];
+        node.supports = found.supports;
+        for (unsigned int s = 0; s < found.supports.size(); ++s)
+          node.states[s].is_bilateral =
+            found.is_fixed || found.supports[s].is_axis;
         nodes.push_back(node);
       }
 
@@ -99,27 +98,30 @@ namespace Sandglass
 
   template <int dim>
   void
-  WallContact<dim>::open_upper_support(Node &node) const
+  WallContact<dim>::open_upper_supports(Node &node) const
   {
-    if (node.supports.size() < 2 || std::any_of(node.supports.begin(),
-                                                node.supports.end(),
-                                                [](const Support &support) {
-                                                  return support.is_bilateral;
-                                                }))
-      return;
-    auto &upper     = *std::min_element(node.supports.begin(),
-                                    node.supports.end(),
-                                    [&node](const auto &a, const auto &b) {
-                                      return a.normal * node.weight <
-                                             b.normal * node.weight;
-                                    });
-    upper.is_active = upper.was_active = false;
+    const unsigned int n       = node.supports.size();
+    unsigned int       carrier = 0;
+    for (unsigned int s = 0; s < n; ++s)
+      {
+        if (node.states[s].is_bilateral)
+          return;
+        if (node.supports[s].normal * node.weight >=
+            node.supports[carrier].normal * node.weight)
+          carrier = s;
+      }
+    for (unsigned int s = 0; s < n; ++s)
+      node.states[s].is_active = node.states[s].was_active = s == carrier;
   }
 
 
 
-#define INSTANTIATE(dim) \
-  template class WallContact<dim>;
+#define INSTANTIATE(dim)                                             \
+  template WallContact<dim>::WallContact(const FilledGrid<dim> &,    \
+                                         const Scene<dim> &,         \
+                                         const WallParameters &,     \
+                                         const DisplacementVector &, \
+                                         const double);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -8,7 +8,7 @@
 #include <sandglass/particles/cell_geometry.h>
 #include <sandglass/particles/particle_cloud.h>
 #include <sandglass/particles/strays.h>
-#include <sandglass/walls/friction.h>
+#include <sandglass/walls/wall.h>
 #include <sandglass/walls/wall_parameters.h>
 
 #include <string>
@@ -40,9 +40,9 @@ namespace Sandglass
     /// particle on an edge get a little of its mass, and so a velocity.
     static constexpr double margin = 1e-12;
 
-    Relocation(const Scene<dim>                   &scene,
+    Relocation(const Scene<dim>              &scene,
                const Geometry                &geometry,
-               const WallParameters          &walls,
+               const WallParameters          &wall_parameters,
                const ParticleStageParameters &parameters,
                RemovedMass                   &removed);
 
@@ -86,11 +86,11 @@ namespace Sandglass
     void
     throw_if_faulty(const Clock &clock) const;
 
-    const Geometry &geometry;
-    RemovedMass    &removed;
-    const MPI_Comm  communicator;
-    const double    friction_coefficient;
-    const bool      stops_at_loss;
+    const Geometry               &geometry;
+    const std::vector<Wall<dim>> &walls;
+    RemovedMass                  &removed;
+    const MPI_Comm                communicator;
+    const bool                    stops_at_loss;
 
     /// Whether the cell has the outlet lip's node; empty unless the lip is
     /// free.

@@ -6,7 +6,10 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/base/prefetch.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
+#include <sandglass/walls/coulomb.h>
+#include <sandglass/walls/face_geometry.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -21,12 +24,13 @@ namespace Sandglass
     for (const auto &face : scene.triangulation.active_face_iterators())
       if (face->at_boundary())
         {
-          const auto role = static_cast<BoundaryRole>(face->boundary_id());
-          for (const unsigned int v : {0u, 1u})
+          const BoundaryPart part =
+            boundary_part(scene.walls, face->boundary_id());
+          for (const unsigned int v : face->vertex_indices())
             {
-              if (is_wall(role))
+              if (part.wall != no_wall)
                 on_wall.insert(face->vertex_index(v));
-              if (role == BoundaryRole::fall_side)
+              if (part.role == BoundaryRole::fall_side)
                 on_side.insert(face->vertex_index(v));
             }
         }
@@ -43,19 +47,19 @@ namespace Sandglass
 
 
   template <typename Setting>
-  Relocation<Setting>::Relocation(const Scene<dim>              &scene,
-                                    const Geometry                &geometry,
-                                    const WallParameters          &walls,
-                                    const ParticleStageParameters &parameters,
-                                    RemovedMass                   &removed)
+  Relocation<Setting>::Relocation(const Scene<dim>     &scene,
+                                  const Geometry       &geometry,
+                                  const WallParameters &wall_parameters,
+                                  const ParticleStageParameters &parameters,
+                                  RemovedMass                   &removed)
     : geometry(geometry)
+    , walls(scene.walls)
     , removed(removed)
     , communicator(scene.communicator)
-    , friction_coefficient(walls.friction_coefficient())
     , stops_at_loss(parameters.on_lost_particle ==
                     ParticleStageParameters::OnLostParticle::stop)
   {
-    if (walls.outlet_lip == WallParameters::OutletLip::free)
+    if (wall_parameters.outlet_lip == WallParameters::OutletLip::free)
       is_at_free_lip = find_cells_at_lip(scene);
   }
 
@@ -64,8 +68,8 @@ namespace Sandglass
   template <typename Setting>
   const std::vector<ParticleSlot> &
   Relocation<Setting>::relocate(Strays<Layout> &strays,
-                                  Cloud &cloud,
-                                  const Clock   &clock)
+                                Cloud          &cloud,
+                                const Clock    &clock)
   {
     wall_impulses.clear();
     auto             &parcels  = strays.parcels;
@@ -101,7 +105,7 @@ namespace Sandglass
       location = hold_at_wall(stray, location);
 
     const bool is_at_boundary =
-      location.kind == Kind::outside && !is_open(location.role) &&
+      location.kind == Kind::outside && !is_open(location.part.role) &&
       Geometry::is_inside(location.reference_point, -rounding);
     if (location.kind == Kind::inside || is_at_boundary)
       {
@@ -110,7 +114,7 @@ namespace Sandglass
       }
 
     const double mass = stray.properties[Layout::mass];
-    if (location.kind == Kind::outside && is_open(location.role))
+    if (location.kind == Kind::outside && is_open(location.part.role))
       removed.discharged += mass;
     else
       {
@@ -141,9 +145,9 @@ namespace Sandglass
   template <typename Setting>
   bool
   Relocation<Setting>::is_held_by_lip(const Parcel   &stray,
-                                        const Location &location) const
+                                      const Location &location) const
   {
-    return !is_at_free_lip.empty() && is_wall(location.role) &&
+    return !is_at_free_lip.empty() && location.part.wall != no_wall &&
            (is_at_free_lip[stray.cell] || is_at_free_lip[location.cell]);
   }
 
@@ -153,37 +157,50 @@ namespace Sandglass
   typename Relocation<Setting>::Location
   Relocation<Setting>::hold_at_wall(Parcel &stray, const Location &location)
   {
-    const auto          &shape   = geometry.shape(location.cell);
-    const auto          &ends    = Geometry::Shape::face_nodes[location.face];
-    const Point<dim>     start   = shape.node(ends[0]);
-    const Tensor<1, dim> edge    = shape.node(ends[1]) - start;
-    const Tensor<1, dim> tangent = edge / edge.norm();
-    Tensor<1, dim>       normal({tangent[1], -tangent[0]});
+    const auto      &shape = geometry.shape(location.cell);
+    const auto      &nodes = Geometry::Shape::face_nodes[location.face];
+    const Wall<dim> &wall  = walls[location.part.wall];
 
-    const Tensor<1, dim> offset = stray.location - start;
-    if (normal * offset < 0.)
-      normal *= -1.;
+    std::array<Point<dim>, dim> points;
+    for (unsigned int i = 0; i < dim; ++i)
+      points[i] = shape.node(nodes[i]);
+    Tensor<1, dim> normal   = unit_normal<dim>(points);
+    double         distance = normal * (stray.location - points[0]);
+    if (distance < 0.)
+      {
+        normal *= -1.;
+        distance *= -1.;
+      }
 
-    double *const stored_velocity = &stray.properties[Layout::velocity];
-    const Tensor<1, dim> velocity({stored_velocity[0], stored_velocity[1]});
-    const double         into_wall  = std::max(0., velocity * normal);
-    const double         along_wall = velocity * tangent;
-    const double         friction =
-      std::min(std::abs(along_wall), friction_coefficient * into_wall);
-    const Tensor<1, dim> held_velocity =
-      velocity - into_wall * normal -
-      std::copysign(friction, along_wall) * tangent;
+    // Coulomb's law for the changes of velocity, in place of impulses.
+    Tensor<1, dim> velocity;
     for (unsigned int d = 0; d < dim; ++d)
-      stored_velocity[d] = held_velocity[d];
+      velocity[d] = stray.properties[Layout::velocity + d];
+    const double         into_wall = std::max(0., velocity * normal);
+    const Tensor<1, dim> slip =
+      velocity - (velocity * normal) * normal - wall.velocity;
+    const Tensor<1, dim> change =
+      coulomb(-slip, wall.friction_coefficient * into_wall).force -
+      into_wall * normal;
+    for (unsigned int d = 0; d < dim; ++d)
+      stray.properties[Layout::velocity + d] += change[d];
+
+    stray.location -= distance * normal;
+    WallImpulse<dim> impulse{location.cell,
+                             location.face,
+                             {},
+                             stray.properties[Layout::mass] * change,
+                             velocity + change - wall.velocity,
+                             wall.velocity};
+    const auto       shape_values = Geometry::Shape::shape_values(
+      Geometry::Shape::clamp(shape.to_reference(stray.location), 0.));
+    std::copy(shape_values.begin(),
+              shape_values.end(),
+              impulse.shape_values.begin());
+    wall_impulses.push_back(impulse);
 
     // A little inside, so that the walk ends in a cell.
-    stray.location -= (normal * offset + margin * edge.norm()) * normal;
-    wall_impulses.push_back(
-      {{{start, shape.node(ends[1])}},
-       std::clamp(offset * edge / edge.norm_square(), 0., 1.),
-       normal,
-       stray.properties[Layout::mass] * (held_velocity - velocity),
-       held_velocity});
+    stray.location -= margin * points[0].distance(points[1]) * normal;
     return geometry.find(stray.location, location.cell);
   }
 
@@ -192,7 +209,7 @@ namespace Sandglass
   template <typename Setting>
   void
   Relocation<Setting>::report_fault(const Parcel   &stray,
-                                      const Location &location)
+                                    const Location &location)
   {
     if (!fault.empty())
       return;
@@ -207,7 +224,10 @@ namespace Sandglass
            "a smaller Particle stage/Time step (auto follows the critical "
            "one) or another Density update.";
     else
-      message << "has left the grid through the " << name_of(location.role)
+      message << "has left the grid through the "
+              << (location.part.wall == no_wall ?
+                    std::string(name_of(location.part.role)) :
+                    walls[location.part.wall].name)
               << ". Try a smaller Particle stage/Time step, or set On lost "
                  "particle = remove to go on without such particles.";
     fault = message.str();

@@ -1,10 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_wall_impulse_h
 #define sandglass_flow_particle_in_cell_wall_impulse_h
 
-#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
-
-#include <sandglass/continuum/formulation.h>
 
 #include <array>
 
@@ -15,12 +12,15 @@ namespace Sandglass
   template <int dim>
   struct WallImpulse
   {
-    std::array<dealii::Point<dim>, 2> ends;   ///< of the wall's face
-    double                            place;  ///< from ends[0] (0) to [1] (1)
-    dealii::Tensor<1, dim>            normal; ///< outward from the material
+    /// A boundary face of the scene's grid: its cell, and its number in it.
+    unsigned int cell, face;
+    /// Linear shape functions of the cell's vertices at the place on the face.
+    std::array<double, 1u << dim> shape_values;
     /// On the particle, in N s (plane strain: per metre of depth).
     dealii::Tensor<1, dim> impulse;
-    dealii::Tensor<1, dim> velocity; ///< of the particle afterwards, in m/s
+    /// Of the particle afterwards, relative to the wall's, in m/s.
+    dealii::Tensor<1, dim> slip;
+    dealii::Tensor<1, dim> wall_velocity; ///< in m/s
   };
 } // namespace Sandglass
 

@@ -73,8 +73,8 @@ namespace Sandglass
       return finite_element.system_to_component_index(i).first;
     }
 
-    /// Index in the Scene of each active cell.
-    std::vector<unsigned int> scene_cells;
+    /// Index in the Scene of each active cell and vertex.
+    std::vector<unsigned int> scene_cells, scene_vertices;
 
     parallel::shared::Triangulation<dim> triangulation;
     const Mapping<dim>                  &mapping;

@@ -3,6 +3,7 @@
 
 #include <sandglass/flow/updated_lagrangian/filled_grid.h>
 #include <sandglass/walls/boundary_nodes.h>
+#include <sandglass/walls/corner.h>
 #include <sandglass/walls/wall_force.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -18,24 +19,25 @@ namespace Sandglass
    * during quasi-static loading, without a penalty in the normal direction.
    *
    * Let G be a node's out-of-balance force without contact (internal minus
-   * external). In equilibrium the walls supply it: G = -F_N n + F_T t with the
-   * outward normal n and the tangent t. A node in contact therefore trades its
-   * two equations G = 0 for
+   * external). In equilibrium the walls supply it: G = -F_N n + F_T with the
+   * outward normal n and a force F_T in the wall's plane, into which T = 1 - n
+   * n projects. A node in contact therefore trades its equations G = 0 for
    *
-   *     n u = 0                        normal displacement
-   *     t G + c_T A t Du - F_T^n = 0   if it sticks
-   *     (t + s mu n) G = 0             if it slides; s is the sign of F_T
+   *     n u = 0                      normal displacement
+   *     T G + c_T A T Du - F_T^n = 0 if it sticks
+   *     T G - mu (-n G) s = 0        if it slides; s is the direction of F_T
    *
    * (paper, Sections 2.3 and 4.2; Du: increment since the start of the load
-   * step, where the friction force was F_T^n; A: tributary area). Whether a
+   * step, where the friction force was F_T^n; A: the support's area). Whether a
    * node sticks or slides follows from the current iterate, so that the
    * equations are continuous; which supports are in contact changes only by
-   * update_contact().
+   * update_contact(). Walls that move later are at rest here.
    *
-   * A node with two supports in contact can't move, and they share its force
-   * along their two normals. Where two walls meet, a node starts on the one
-   * that carries more of its weight: at the top of a hopper it can slide, and
-   * closes the gap to the vertical wall only if it is pushed there.
+   * A node with several supports in contact keeps what motion their normals
+   * leave it, and they share its force along these (see corner.h). Where two
+   * walls meet, a node starts on the one that carries more of its weight: at
+   * the top of a hopper it can slide, and closes the gap to the vertical wall
+   * only if it is pushed there.
    */
   template <int dim>
   class WallContact
@@ -50,11 +52,11 @@ namespace Sandglass
      *                          displacement are multiplied, so that they are
      *                          of the size of the others.
      */
-    WallContact(const FilledGrid<dim>     &grid,
-                const Formulation     formulation,
-                const WallParameters &parameters,
-                const Vector         &weight,
-                const double          constraint_scale);
+    WallContact(const FilledGrid<dim> &grid,
+                const Scene<dim>      &scene,
+                const WallParameters  &parameters,
+                const Vector          &weight,
+                const double           constraint_scale);
 
     /**
      * The equations that a node has instead of G = 0: their residual, and their
@@ -124,41 +126,40 @@ namespace Sandglass
     load(boost::archive::binary_iarchive &archive);
 
   private:
-    struct Support
+    /// Contact with one support.
+    struct State
     {
-      BoundaryRole   role;
-      Tensor<1, dim> normal, tangent;
-      double         tributary_area; ///< in m^2
       /// Can pull as well as push.
-      bool is_bilateral;
+      bool is_bilateral = false;
 
-      bool   is_active        = true;
-      double gap              = 0.; ///< normal displacement, in m
-      double normal_force     = 0.; ///< F_N in N
-      double tangential_force = 0.; ///< F_T in N
+      bool           is_active    = true;
+      double         gap          = 0.; ///< normal displacement, in m
+      double         normal_force = 0.; ///< F_N in N
+      Tensor<1, dim> tangential_force;  ///< F_T in N
 
       // at the start of the load step
-      bool   was_active        = true;
-      double tangential_before = 0.; ///< F_T^n in N
+      bool           was_active = true;
+      Tensor<1, dim> tangential_before; ///< F_T^n in N
     };
 
     struct Node
     {
-      Point<dim>                               position;
+      unsigned int                             vertex; ///< of the scene's mesh
       std::array<types::global_dof_index, dim> dofs;
       bool                                     is_owned = false;
       Tensor<1, dim>                           weight; ///< in N
-      std::vector<Support>                     supports;
+      Supports<dim>                            supports;
+      std::array<State, dim>                   states; ///< of the supports
       NodeEquations                            equations;
     };
 
     void
-    collect_nodes(const FilledGrid<dim>     &grid,
-                  const Formulation     formulation,
-                  const WallParameters &parameters);
-    /// Let a node that rests on two walls start on one of them.
+    collect_nodes(const FilledGrid<dim> &grid,
+                  const Scene<dim>      &scene,
+                  const WallParameters  &parameters);
+    /// Let a node that rests on several walls start on one of them.
     void
-    open_upper_support(Node &node) const;
+    open_upper_supports(Node &node) const;
 
     void
     evaluate_node(Node                 &node,
@@ -168,19 +169,18 @@ namespace Sandglass
     /// One support in contact: the node can slide along it.
     void
     evaluate_sliding(NodeEquations        &equations,
-                     Support              &support,
+                     const Support<dim>   &support,
+                     State                &state,
                      const Tensor<1, dim> &force,
                      const Tensor<1, dim> &increment) const;
-    /// Two supports in contact: the node can't move.
+    /// Several supports in contact.
     void
-    evaluate_held(NodeEquations        &equations,
-                  Support              &first,
-                  Support              &second,
-                  const Tensor<1, dim> &force,
-                  const Tensor<1, dim> &displacement) const;
+    evaluate_corner(Node                 &node,
+                    const SupportSet      active,
+                    const Tensor<1, dim> &force,
+                    const Tensor<1, dim> &displacement) const;
 
     const MPI_Comm            communicator;
-    const double              friction_coefficient;
     const double              tangential_penalty;
     const double              constraint_scale;
     std::vector<Node>         nodes;

@@ -1,0 +1,95 @@
+#ifndef sandglass_flow_particle_in_cell_held_nodes_h
+#define sandglass_flow_particle_in_cell_held_nodes_h
+
+#include <sandglass/flow/particle_in_cell/nodal_fields.h>
+#include <sandglass/scene/scene.h>
+#include <sandglass/walls/boundary_nodes.h>
+#include <sandglass/walls/corner.h>
+
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * The boundary's nodes that this rank owns, and in which directions axis and
+   * walls hold each of them in this step. A node in a corner obeys all its
+   * supports (see corner.h).
+   */
+  template <int dim>
+  class HeldNodes
+  {
+  public:
+    HeldNodes(const Scene<dim> &scene, const WallParameters &parameters);
+
+    /**
+     * Take away the part of the mapped velocity v^L that points into a wall or
+     * off the axis. Particles that follow it cannot pass the wall, and the
+     * strain at the wall is that of material which stays inside.
+     */
+    void
+    constrain(NodalField<dim> &velocity) const;
+
+    /// Set to zero what a nodal field has in the directions in which the nodes
+    /// are held.
+    void
+    release_held(NodalField<dim> &field) const;
+
+    /// As release_held(), where the axis or a fixed corner holds a node for
+    /// ever.
+    void
+    release_always_held(NodalField<dim> &field) const;
+
+  protected:
+    /// Which of a node's supports hold it at this velocity.
+    static SupportSet
+    holding_supports(const BoundaryNode<dim> &node,
+                     const Tensor<1, dim>    &velocity)
+    {
+      return node.is_free ?
+               0 :
+               Sandglass::holding_supports<dim>(node.supports, velocity);
+    }
+
+    /// What is left of a velocity that the given supports hold.
+    static Tensor<1, dim>
+    held_velocity(const BoundaryNode<dim> &node,
+                  const SupportSet         holding,
+                  const Tensor<1, dim>    &velocity)
+    {
+      if (node.is_fixed)
+        return {};
+      return HeldDirections<dim>(node.supports, holding).left_of(velocity);
+    }
+
+    const std::vector<BoundaryNode<dim>> nodes;
+
+    /// Of each node, where it stands in the nodal fields.
+    std::vector<unsigned int> field_indices;
+
+    /// Of each node, the supports that hold it.
+    std::vector<SupportSet> holding;
+
+  private:
+    /// Set to zero what the supports `held(n, value)` hold of a nodal field's
+    /// value.
+    template <typename Held>
+    void
+    release(NodalField<dim> &field, const Held &held) const;
+  };
+
+
+
+  /// A node's numbers in a nodal field as a vector.
+  template <int dim>
+  Tensor<1, dim>
+  vector_at(const NodalField<dim> &field, const unsigned int index)
+  {
+    const double  *values = field.at(index);
+    Tensor<1, dim> vector;
+    for (unsigned int d = 0; d < dim; ++d)
+      vector[d] = values[d];
+    return vector;
+  }
+} // namespace Sandglass
+
+#endif
