@@ -41,49 +41,6 @@ namespace Sandglass
                   material.internal_friction_angle),
               friction_coefficient(scene, BoundaryRole::wall).value_or(0.)};
     }
-
-
-
-    /// What one rank tells another about a record.
-    using PackedRecord = std::array<double, 12>;
-
-    PackedRecord
-    pack(const WallRecord &record)
-    {
-      const auto &x = record.position;
-      const auto &n = record.normal;
-      const auto &i = record.impulse;
-      return {{static_cast<double>(record.wall),
-               static_cast<double>(record.vertex),
-               x[0],
-               x[1],
-               x[2],
-               n[0],
-               n[1],
-               n[2],
-               record.area,
-               i[0],
-               i[1],
-               i[2]}};
-    }
-
-
-
-    WallRecord
-    unpack(const PackedRecord &parcel)
-    {
-      WallRecord record{};
-      record.wall   = static_cast<WallId>(parcel[0]);
-      record.vertex = static_cast<unsigned int>(parcel[1]);
-      record.area   = parcel[8];
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          record.position[d] = parcel[2 + d];
-          record.normal[d]   = parcel[5 + d];
-          record.impulse[d]  = parcel[9 + d];
-        }
-      return record;
-    }
   } // namespace
 
 
@@ -136,18 +93,16 @@ namespace Sandglass
   std::vector<WallTractions<2>::PlacedRecord>
   WallTractions<2>::collect(const WallRecords &records) const
   {
-    std::vector<PackedRecord> parcels;
+    std::vector<WallRecord> of_this_rank;
     for (const WallRecord &record : records.records)
-      parcels.push_back(pack(record));
+      if (record.wall != no_wall)
+        of_this_rank.push_back(record);
 
     std::vector<PlacedRecord> result;
     for (const auto &of_rank :
-         Utilities::MPI::gather(scene.communicator, parcels))
-      for (const Parcel &parcel : of_rank)
-        {
-          const WallRecord record = unpack(parcel);
-          result.push_back({record, lines.find(record.wall, record.vertex)});
-        }
+         Utilities::MPI::gather(scene.communicator, of_this_rank))
+      for (const WallRecord &record : of_rank)
+        result.push_back({record, lines.find(record.wall, record.vertex)});
 
     const auto key = [this](const PlacedRecord &placed) {
       const WallRecord &record = placed.record;
@@ -211,7 +166,7 @@ namespace Sandglass
     WallTraction      traction{};
     traction.time           = time;
     traction.record         = record;
-    traction.role           = role_of(record);
+    traction.role           = scene.walls[record.wall].role;
     traction.wall_name      = scene.walls[record.wall].name;
     traction.place          = placed.place;
     traction.on_material    = force / record.area;

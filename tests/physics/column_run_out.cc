@@ -8,9 +8,9 @@ using namespace Sandglass;
 
 // A short run of tests/hard/column_collapse.cc against what came out before: on
 // squares so coarse that rounding changes the ninth digit. The front is a few
-// particles and moves by up to 5 % where gravity or an angle is 1 % off. The mean
-// distance moves by 0.6 % with these, and by 2 to 4 % where the internal friction
-// is 5 % off.
+// particles and moves by up to 5 % where gravity or an angle is 1 % off. The
+// mean distance moves by 0.6 % with these, and by 2 to 4 % where the internal
+// friction is 5 % off.
 TEST(ColumnRunOut, IsWhatItWas)
 {
   struct Case

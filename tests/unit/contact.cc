@@ -22,8 +22,8 @@ namespace
     {
       fixture.walls.fix_bottom_corner = false;
       fixture.start(Rectangle().mesh());
-      contact      = std::make_unique<Contact<2>>(*fixture.scene, fixture.walls);
-      sums         = std::make_unique<Sums>(*fixture.scene->nodes);
+      contact = std::make_unique<Contact<2>>(*fixture.scene, fixture.walls);
+      sums    = std::make_unique<Sums>(*fixture.scene->nodes);
       acceleration = std::make_unique<Field>(*fixture.scene->nodes);
       mapped       = std::make_unique<Field>(*fixture.scene->nodes);
 
@@ -73,9 +73,9 @@ namespace
     using Field = NodalField<dim>;
 
     std::unique_ptr<Contact<2>> contact;
-    std::unique_ptr<Sums>    sums;
-    std::unique_ptr<Field>   acceleration, mapped;
-    unsigned int             node = 0;
+    std::unique_ptr<Sums>       sums;
+    std::unique_ptr<Field>      acceleration, mapped;
+    unsigned int                node = 0;
   };
 } // namespace
 
