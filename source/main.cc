@@ -3,6 +3,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/output/banner.h>
 #include <sandglass/run/parameter_file.h>
+#include <sandglass/run/print_outputs.h>
 #include <sandglass/run/run.h>
 
 #include <iostream>
@@ -64,6 +65,10 @@ namespace
                         << std::flush;
             break;
           }
+        case Task::print_outputs:
+          if (prints)
+            std::cout << print_outputs() << std::flush;
+          break;
         default:
           validate_and_run(command_line, MPI_COMM_WORLD);
       }

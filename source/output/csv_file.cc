@@ -35,9 +35,7 @@ namespace Sandglass
     if (size == 0)
       {
         file.open(filename, std::ios::trunc);
-        for (const auto &column : columns)
-          append(column);
-        end_row();
+        write_line(columns);
       }
     else
       {
@@ -56,38 +54,33 @@ namespace Sandglass
 
 
   void
-  CsvFile::append(const double value)
+  CsvFile::add_row(const std::vector<ColumnValue> &values)
   {
-    append(to_text(value));
+    std::vector<std::string> texts;
+    for (const ColumnValue &value : values)
+      if (const double *number = std::get_if<double>(&value))
+        texts.push_back(to_text(*number));
+      else if (const unsigned long *count = std::get_if<unsigned long>(&value))
+        texts.push_back(std::to_string(*count));
+      else
+        texts.push_back(std::get<std::string>(value));
+    write_line(texts);
   }
 
 
 
   void
-  CsvFile::append(const unsigned long value)
+  CsvFile::write_line(const std::vector<std::string> &texts)
   {
-    append(std::to_string(value));
-  }
-
-
-
-  void
-  CsvFile::append(const std::string_view &value)
-  {
-    if (!row.empty())
-      row += ',';
-    row += value;
-  }
-
-
-
-  void
-  CsvFile::end_row()
-  {
-    row += '\n';
-    file << row;
-    size += row.size();
-    row.clear();
+    std::string line, separator;
+    for (const std::string &text : texts)
+      {
+        line += separator + text;
+        separator = ",";
+      }
+    line += '\n';
+    file << line;
+    size += line.size();
   }
 
 

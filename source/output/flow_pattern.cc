@@ -10,18 +10,14 @@ namespace Sandglass
   {
     /// Of this rank's particles above the outlet level, in kg.
     double
-    stagnant_mass_of_rank(ParticleStage &stage, const double displacement)
+    stagnant_mass_of_rank(const FlowView &view, const double displacement)
     {
-      const ParticleBlocks &blocks = stage.cloud.blocks();
-      double                mass   = 0.;
-      blocks.for_each([&](const ParticleSlot &slot) {
-        const ParticleBlock &block = blocks[slot.block];
-        const Point<dim>     location =
-          block.point(ParticleBlock::location, slot.lane);
-        if (location[1] >= 0. &&
-            location.distance_square(stage.initial_position(blocks.id(slot))) <=
+      double mass = 0.;
+      view.for_each_particle([&](const ParticleRecord &particle) {
+        if (particle.location[1] >= 0. &&
+            particle.location.distance_square(particle.initial_location) <=
               displacement * displacement)
-          mass += block.values[ParticleBlock::mass][slot.lane];
+          mass += particle.mass;
       });
       return mass;
     }
@@ -29,23 +25,25 @@ namespace Sandglass
 
 
 
-  FlowPattern::FlowPattern(ParticleStage &stage,
-                           const double   stagnant_displacement)
+  FlowPattern::FlowPattern(const FlowView &view,
+                           const double    stagnant_displacement,
+                           const double    symmetry_factor,
+                           const MPI_Comm  communicator)
   {
     const bool                  counts_mass = stagnant_displacement > 0.;
-    const Contact::WallArea     area        = stage.contact.wall_area();
+    const WallArea              area        = view.wall_area();
     const std::array<double, 3> of_rank     = {
           {area.touching,
            area.sliding,
-       counts_mass ? stagnant_mass_of_rank(stage, stagnant_displacement) : 0.}};
+           counts_mass ? stagnant_mass_of_rank(view, stagnant_displacement) : 0.}};
 
     std::array<double, 3> sums;
     Utilities::MPI::sum(ArrayView<const double>(of_rank.data(), 3),
-                        stage.scene.communicator,
+                        communicator,
                         ArrayView<double>(sums.data(), 3));
     if (sums[0] > 0.)
       slipping_wall_share = sums[1] / sums[0];
     if (counts_mass)
-      stagnant_mass = stage.scene.symmetry_factor * sums[2];
+      stagnant_mass = symmetry_factor * sums[2];
   }
 } // namespace Sandglass

@@ -1,100 +1,56 @@
-#include <sandglass/output/fields.h>
-
-#include <array>
+#include <sandglass/output/field_collector.h>
+#include <sandglass/output/grid_fields.h>
 
 namespace Sandglass
 {
-  namespace
-  {
-    using CellIterator = DoFHandler<dim>::active_cell_iterator;
+  const std::vector<Field<NodeRecord>> grid_node_table = {
+    {"mass",
+     "kg",
+     [](const NodeRecord &node) { return static_cast<float>(node.mass); },
+     "of the material around the node; in plane strain per metre of depth"},
+    {"velocity",
+     "m/s",
+     [](const NodeRecord &node) { return node.velocity; },
+     "of the last step, with which the particles have moved"}};
 
-    /// deal.II numbers a quadrilateral's vertices line by line.
-    constexpr std::array<unsigned int, 4> counterclockwise = {{0, 1, 3, 2}};
 
 
-
-    /// Number the nodes of this rank's cells in the order in which the cells
-    /// meet them, and collect what is known at them.
-    class NodeFields
-    {
-    public:
-      explicit NodeFields(ParticleStage &stage)
-        : stage(stage)
-        , numbers(stage.scene.nodes->locally_owned_size() +
-                    stage.scene.nodes->n_ghost_indices(),
-                  unknown)
-      {
-        // What each rank has summed at nodes that others own is gone.
-        stage.fields.sums.update_ghosts();
-      }
-
-      std::int32_t
-      number(const CellIterator &cell, const unsigned int vertex)
-      {
-        const unsigned int node =
-          stage.scene.nodes->global_to_local(cell->vertex_dof_index(vertex, 0));
-        if (numbers[node] == unknown)
-          {
-            numbers[node] = mass.size();
-            add(node, cell->vertex(vertex));
-          }
-        return numbers[node];
-      }
-
-      std::vector<double> points;
-      std::vector<float>  mass, velocity;
-
-    private:
-      void
-      add(const unsigned int node, const Point<dim> &position)
-      {
-        const double *v = stage.fields.mapped_velocity.at(node);
-        points.insert(points.end(), {position[0], position[1], 0.});
-        mass.push_back(stage.fields.sums.at(node)[NodalSum::mass]);
-        for (const double component : {v[0], v[1], 0.})
-          velocity.push_back(component);
-      }
-
-      static constexpr std::int32_t unknown = -1;
-
-      ParticleStage            &stage;
-      std::vector<std::int32_t> numbers;
-    };
-  } // namespace
+  const std::vector<Field<CellRecord>> grid_cell_table = {
+    {"number of particles",
+     "1",
+     [](const CellRecord &cell) { return cell.n_particles; },
+     "in the cell"},
+    {"subdomain",
+     "1",
+     [](const CellRecord &cell) { return cell.subdomain; },
+     "rank that owns the cell"}};
 
 
 
   VtuPiece
-  grid_fields(ParticleStage &stage)
+  grid_fields(const FlowView &view, const unsigned int dim)
   {
-    const bool is_triangle = stage.scene.mesh.cell_type == CellType::triangle;
-    NodeFields nodes(stage);
-    VtuPiece   piece;
-    std::vector<std::int64_t> n_particles, subdomain;
+    GridRecords grid = view.grid();
 
-    const ParticleBlocks &blocks = stage.cloud.blocks();
-    piece.points_per_cell        = is_triangle ? 3 : 4;
-    for (const auto &cell : stage.scene.dof_handler.active_cell_iterators())
+    VtuPiece piece;
+    piece.points_per_cell = grid.nodes_per_cell;
+    piece.cell_dimension  = dim;
+    piece.cells           = std::move(grid.nodes_of_cells);
+
+    FieldCollector<NodeRecord> node_fields(grid_node_table, grid.nodes.size());
+    piece.points.reserve(3 * grid.nodes.size());
+    for (const NodeRecord &node : grid.nodes)
       {
-        if (!cell->is_locally_owned())
-          continue;
-        for (unsigned int v = 0; v < piece.points_per_cell; ++v)
-          piece.cells.push_back(
-            nodes.number(cell, is_triangle ? v : counterclockwise[v]));
-        std::int64_t n = 0;
-        blocks.for_each_block_in_cell(cell->active_cell_index(),
-                                      [&](const unsigned int block) {
-                                        n += blocks.n_lanes(block);
-                                      });
-        n_particles.push_back(n);
-        subdomain.push_back(cell->subdomain_id());
+        for (unsigned int d = 0; d < 3; ++d)
+          piece.points.push_back(node.location[d]);
+        node_fields.add(node);
       }
+    piece.point_fields = node_fields.take();
 
-    piece.points       = std::move(nodes.points);
-    piece.point_fields = {{"mass", 1, std::move(nodes.mass), {}},
-                          {"velocity", 3, std::move(nodes.velocity), {}}};
-    piece.cell_fields = {{"number of particles", 1, std::move(n_particles), {}},
-                         {"subdomain", 1, std::move(subdomain), {}}};
+    FieldCollector<CellRecord> cell_fields(grid_cell_table, grid.cells.size());
+    for (const CellRecord &cell : grid.cells)
+      cell_fields.add(cell);
+    piece.cell_fields = cell_fields.take();
     return piece;
   }
 } // namespace Sandglass

@@ -1,7 +1,9 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/choices.h>
 #include <sandglass/output/beverloo.h>
 #include <sandglass/output/history.h>
+#include <sandglass/output/silo_measures.h>
 
 #include <cmath>
 
@@ -9,61 +11,52 @@ namespace Sandglass
 {
   namespace
   {
-    std::vector<std::string>
-    history_columns(const bool has_stagnant_mass)
+    /// A row of a run that asks for the stagnant mass or doesn't.
+    HistoryRow
+    example_row(const bool has_stagnant_mass)
     {
-      std::vector<std::string> columns = {"time_s",
-                                          "step",
-                                          "time_step_s",
-                                          "time_step_over_critical",
-                                          "kinetic_energy_J",
-                                          "elastic_energy_J",
-                                          "dissipated_energy_J",
-                                          "momentum_x_kg_m_per_s",
-                                          "momentum_y_kg_m_per_s",
-                                          "mass_in_silo_kg",
-                                          "mass_falling_kg",
-                                          "mass_discharged_kg",
-                                          "mass_lost_kg",
-                                          "largest_speed_m_per_s",
-                                          "slipping_wall_share"};
+      HistoryRow row{};
       if (has_stagnant_mass)
-        columns.push_back("stagnant_mass_kg");
-      return columns;
+        row.pattern.stagnant_mass = 0.;
+      return row;
     }
 
 
 
-    const std::vector<std::string> flow_rate_columns = {
-      "time_s",
-      "discharged_mass_kg",
-      "mass_flow_rate_kg_per_s",
-      "beverloo_0_kg_per_s",
-      "beverloo_0.1_kg_per_s",
-      "beverloo_0.2_kg_per_s"};
+    template <int dim>
+    double
+    stagnant_displacement(const OutputParameters  &parameters,
+                          const SiloMeasures<dim> &measures)
+    {
+      return measures.has_open_outlet ?
+               parameters.stagnant_displacement * measures.outlet_width :
+               0.;
+    }
   } // namespace
 
 
 
+  template <int dim>
   History::History(const OutputParameters   &parameters,
-                   const Scene              &scene,
+                   const Scene<dim>         &scene,
                    const MaterialParameters &material)
     : is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
-    , measures(scene)
-    , largest_stagnant_displacement(measures.has_open_outlet ?
-                                      parameters.stagnant_displacement *
-                                        measures.outlet_width :
-                                      0.)
+    , has_open_outlet(SiloMeasures<dim>(scene).has_open_outlet)
+    , largest_stagnant_displacement(
+        Sandglass::stagnant_displacement(parameters, SiloMeasures<dim>(scene)))
     , history_file(parameters.directory + "/history.csv",
-                   history_columns(largest_stagnant_displacement > 0.))
-    , flow_rate_file(parameters.directory + "/flow_rate.csv", flow_rate_columns)
+                   history_table,
+                   example_row(largest_stagnant_displacement > 0.))
+    , flow_rate_file(parameters.directory + "/flow_rate.csv",
+                     flow_rate_table,
+                     FlowRateRow())
     , flow_rate(parameters.flow_rate_window)
   {
     for (unsigned int i = 0; i < beverloo.size(); ++i)
       beverloo[i] = beverloo_flow_rate(scene.formulation,
                                        material.density,
                                        scene.gravity.norm(),
-                                       measures.outlet_width,
+                                       SiloMeasures<dim>(scene).outlet_width,
                                        0.1 * i);
   }
 
@@ -75,55 +68,28 @@ namespace Sandglass
     if (!is_writer)
       return;
     history_file.open();
-    if (measures.has_open_outlet)
+    if (has_open_outlet)
       flow_rate_file.open();
   }
 
 
 
   void
-  History::observe(const Clock          &clock,
-                   const double          critical_time_step,
-                   const ParticleTotals &totals,
-                   const FlowPattern    &pattern)
+  History::add(const HistoryRow &row)
   {
     if (!is_writer)
       return;
-    const auto add_row = [&](const auto &...more) {
-      history_file.add_row(clock.time,
-                           clock.step,
-                           clock.time_step,
-                           clock.time_step / critical_time_step,
-                           totals.kinetic_energy,
-                           totals.elastic_energy,
-                           totals.dissipated_energy,
-                           totals.momentum[0],
-                           totals.momentum[1],
-                           totals.mass_in_silo,
-                           totals.mass_falling,
-                           totals.mass_discharged(),
-                           totals.mass_lost,
-                           totals.largest_speed,
-                           pattern.slipping_wall_share,
-                           more...);
-    };
-    if (pattern.stagnant_mass)
-      add_row(*pattern.stagnant_mass);
-    else
-      add_row();
+    history_file.add_row(row);
     history_file.flush();
 
-    if (!measures.has_open_outlet)
+    if (!has_open_outlet)
       return;
-    slipping_samples.emplace_back(clock.time, pattern.slipping_wall_share);
-    stagnant_mass = pattern.stagnant_mass.value_or(0.);
-    flow_rate.add(clock.time, totals.mass_discharged());
-    flow_rate_file.add_row(clock.time,
-                           totals.mass_discharged(),
-                           flow_rate.current(),
-                           beverloo[0],
-                           beverloo[1],
-                           beverloo[2]);
+    const double time = row.clock.time;
+    const double mass = row.totals.mass_discharged();
+    slipping_samples.emplace_back(time, row.pattern.slipping_wall_share);
+    stagnant_mass = row.pattern.stagnant_mass.value_or(0.);
+    flow_rate.add(time, mass);
+    flow_rate_file.add_row({time, mass, flow_rate.current(), beverloo});
     flow_rate_file.flush();
   }
 
@@ -151,4 +117,13 @@ namespace Sandglass
     summary.slipping_wall_share = sum / n;
     return summary;
   }
+
+
+
+#define INSTANTIATE(dim)                              \
+  template History::History(const OutputParameters &, \
+                            const Scene<dim> &,       \
+                            const MaterialParameters &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -1,122 +1,148 @@
-#include <sandglass/output/fields.h>
-#include <sandglass/particles/particle_state.h>
+#include <sandglass/continuum/symmetric_components.h>
+#include <sandglass/output/field_collector.h>
+#include <sandglass/output/particle_fields.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <numeric>
 
 namespace Sandglass
 {
   unsigned int
-  layer_of(const Point<dim> &initial_position, const Scene &scene)
+  Layers::of(const Point<3> &initial_location) const
   {
-    const double depth = (scene.fill_top - initial_position[1]) /
-                         (scene.fill_top - scene.fill_bottom);
+    const double depth =
+      (fill_top - initial_location[1]) / (fill_top - fill_bottom);
     // Rounding must not divide a row of particles on the edge of a layer.
     constexpr double rounding = 1e-6;
     return 1 + static_cast<unsigned int>(
-                 std::clamp(n_layers * depth + rounding, 0., n_layers - 0.5));
+                 std::clamp(n * depth + rounding, 0., n - 0.5));
   }
 
 
 
   namespace
   {
-    using Floats = std::vector<float>;
-
-    /// Fields of the particles while they are collected.
-    struct ParticleFields
+    /// Compression positive, in Pa.
+    float
+    pressure(const std::array<double, 6> &stress)
     {
-      std::vector<double> points;
-      Floats              velocity, stress, pressure, density, displacement;
-      std::vector<double> mass;
-      // Ids need the 32 bits without a sign.
-      std::vector<std::int64_t> id;
-      std::vector<std::int32_t> layer;
+      return -(stress[Component::xx] + stress[Component::yy] +
+               stress[Component::zz]) *
+             (1. / 3.);
+    }
+  } // namespace
 
-      explicit ParticleFields(const unsigned int n)
+
+
+  const std::vector<Field<ParticleInLayers>> particle_table = {
+    {"velocity",
+     "m/s",
+     [](const ParticleInLayers &p) { return p.particle.velocity; },
+     "of the particle"},
+    {"stress",
+     "Pa",
+     [](const ParticleInLayers &p) { return p.particle.stress; },
+     "Cauchy stress, tension positive"},
+    {"pressure",
+     "Pa",
+     [](const ParticleInLayers &p) { return pressure(p.particle.stress); },
+     "mean stress, compression positive"},
+    {"density",
+     "kg/m^3",
+     [](const ParticleInLayers &p) {
+       return static_cast<float>(p.particle.density);
+     },
+     "of the bulk material"},
+    {"mass",
+     "kg",
+     [](const ParticleInLayers &p) { return p.particle.mass; },
+     "of the particle; in plane strain per metre of depth"},
+    {"displacement",
+     "m",
+     [](const ParticleInLayers &p) {
+       return Tensor<1, 3>(p.particle.location - p.particle.initial_location);
+     },
+     "from the position before the static stage"},
+    {"layer",
+     "1",
+     [](const ParticleInLayers &p) {
+       return static_cast<std::int32_t>(
+         p.layers.of(p.particle.initial_location));
+     },
+     "of the 16 of the initial height, counted from the top"},
+    // Ids need the 32 bits without a sign.
+    {"id",
+     "1",
+     [](const ParticleInLayers &p) {
+       return static_cast<std::int64_t>(p.particle.id);
+     },
+     "the same as long as the particle exists"}};
+
+
+
+  namespace
+  {
+    /// Fields of the law's state variables.
+    class LawStateFields
+    {
+    public:
+      explicit LawStateFields(const std::vector<StateVariable> &variables)
+        : variables(variables)
+        , values(variables.size())
+      {}
+
+      void
+      add(const double *law_state)
       {
-        points.reserve(3 * n);
-        for (Floats *field : {&velocity, &displacement})
-          field->reserve(3 * n);
-        stress.reserve(6 * n);
-        for (Floats *field : {&pressure, &density})
-          field->reserve(n);
-        mass.reserve(n);
-        layer.reserve(n);
-        id.reserve(n);
+        for (unsigned int i = 0; i < variables.size(); ++i)
+          {
+            const unsigned int n = variables[i].n_components;
+            values[i].insert(values[i].end(), law_state, law_state + n);
+            law_state += n;
+          }
       }
 
       void
-      add(const ParticleState<double> &state,
-          const types::particle_index  particle_id,
-          const Point<dim>            &initial_position,
-          const Scene                 &scene)
+      append_to(std::vector<VtuPiece::Field> &fields)
       {
-        const auto &location = state.location;
-        append(points, {location[0], location[1], 0.});
-        append(velocity, {state.velocity[0], state.velocity[1], 0.});
-        append(stress,
-               {state.stress[Component::xx],
-                state.stress[Component::yy],
-                state.stress[Component::zz],
-                state.stress[Component::xy],
-                0.,
-                0.});
-        append(pressure, {Sandglass::pressure(state.stress)});
-        append(density, {state.density});
-        append(displacement,
-               {location[0] - initial_position[0],
-                location[1] - initial_position[1],
-                0.});
-        append(mass, {state.mass});
-        layer.push_back(layer_of(initial_position, scene));
-        id.push_back(particle_id);
+        for (unsigned int i = 0; i < variables.size(); ++i)
+          fields.push_back({variables[i].name,
+                            variables[i].n_components,
+                            std::move(values[i]),
+                            variables[i].n_components == 6 ?
+                              VtuPiece::symmetric_tensor_components :
+                              std::vector<std::string>()});
       }
 
     private:
-      template <typename Number>
-      static void
-      append(std::vector<Number>                &values,
-             const std::initializer_list<double> components)
-      {
-        values.insert(values.end(), components.begin(), components.end());
-      }
+      const std::vector<StateVariable> variables;
+      std::vector<std::vector<float>>  values;
     };
   } // namespace
 
 
 
   VtuPiece
-  particle_fields(ParticleStage &stage)
+  particle_fields(const FlowView &view, const Layers &layers)
   {
-    const ParticleBlocks &blocks = stage.cloud.blocks();
-    ParticleFields        fields(blocks.n_particles());
-    blocks.for_each([&](const ParticleSlot &slot) {
-      const types::particle_index id = blocks.id(slot);
-      fields.add(load_state(blocks[slot.block], slot.lane),
-                 id,
-                 stage.initial_position(id),
-                 stage.scene);
-    });
+    const unsigned int               n = view.n_particles();
+    FieldCollector<ParticleInLayers> fields(particle_table, n);
+    LawStateFields                   law_state(view.state_variables());
 
     VtuPiece piece;
-    piece.cells.resize(fields.id.size());
+    piece.points.reserve(3 * n);
+    view.for_each_particle([&](const ParticleRecord &particle) {
+      for (unsigned int d = 0; d < 3; ++d)
+        piece.points.push_back(particle.location[d]);
+      fields.add({particle, layers});
+      law_state.add(particle.law_state);
+    });
+
+    piece.cells.resize(n);
     std::iota(piece.cells.begin(), piece.cells.end(), 0);
-    piece.points          = std::move(fields.points);
     piece.points_per_cell = 1;
-    piece.point_fields    = {
-         {"velocity", 3, std::move(fields.velocity), {}},
-         {"stress",
-          6,
-          std::move(fields.stress),
-          VtuPiece::symmetric_tensor_components},
-         {"pressure", 1, std::move(fields.pressure), {}},
-         {"density", 1, std::move(fields.density), {}},
-         {"mass", 1, std::move(fields.mass), {}},
-         {"displacement", 3, std::move(fields.displacement), {}},
-         {"layer", 1, std::move(fields.layer), {}},
-         {"id", 1, std::move(fields.id), {}}};
+    piece.point_fields    = fields.take();
+    law_state.append_to(piece.point_fields);
     return piece;
   }
 } // namespace Sandglass

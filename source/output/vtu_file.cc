@@ -72,9 +72,9 @@ namespace Sandglass
 
 
     VTKCellType
-    cell_type(const unsigned int points_per_cell)
+    cell_type(const VtuPiece &piece)
     {
-      switch (points_per_cell)
+      switch (piece.points_per_cell)
         {
           case 1:
             return VTK_VERTEX;
@@ -82,8 +82,10 @@ namespace Sandglass
             return VTK_LINE;
           case 3:
             return VTK_TRIANGLE;
+          case 4:
+            return piece.cell_dimension == 2 ? VTK_QUAD : VTK_TETRA;
           default:
-            return VTK_QUAD;
+            return VTK_HEXAHEDRON;
         }
     }
 
@@ -130,7 +132,7 @@ namespace Sandglass
 
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(points);
-    grid->SetCells(cell_type(piece.points_per_cell), cells);
+    grid->SetCells(cell_type(piece), cells);
     for (const auto &field : piece.point_fields)
       grid->GetPointData()->AddArray(wrap(field));
     for (const auto &field : piece.cell_fields)

@@ -30,6 +30,8 @@ namespace Sandglass
           options::value<std::string>()->implicit_value("prm")->value_name(
             "prm|md|json"),
           "print all parameters with defaults and documentation");
+      add("print-outputs",
+          "print a table of each output file's fields and columns");
       add("help", "print this text");
       add("version", "print the versions of Sandglass and its libraries");
       return description;
@@ -53,6 +55,8 @@ namespace Sandglass
             throw InputError("--print-parameters " + result.print_format +
                              ": allowed are prm, md and json");
         }
+      else if (values.count("print-outputs") > 0)
+        result.task = Task::print_outputs;
       else
         {
           if (values.count("file") == 0)
@@ -82,6 +86,7 @@ namespace Sandglass
             "[-o DIRECTORY] [--restart] [--quiet]\n"
             "       sandglass --validate FILE.prm\n"
             "       sandglass --print-parameters [prm|md|json]\n"
+            "       sandglass --print-outputs\n"
             "       mpirun -n N sandglass FILE.prm\n\n"
          << visible_options()
          << "\nExit code: 0 done, 1 the run failed, 2 the input was refused.";

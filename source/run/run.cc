@@ -1,12 +1,13 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/banner.h>
-#include <sandglass/output/observers.h>
 #include <sandglass/output/output_directory.h>
-#include <sandglass/run/load_balance.h>
+#include <sandglass/run/checkpoint_writer.h>
+#include <sandglass/run/part.h>
 #include <sandglass/run/run.h>
 #include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/flow/updated_lagrangian/static_stage.h>
 
 #include <optional>
 
@@ -14,61 +15,176 @@ namespace Sandglass
 {
   namespace
   {
-    /// What works on one partition of the mesh.
-    struct Part
+    /// One simulation in a space dimension.
+    template <int dim>
+    class Simulation
     {
-      Part(const Parameters                &parameters,
-           const Mesh                      &mesh,
-           const std::vector<unsigned int> &cell_weights,
-           const MPI_Comm                   communicator,
-           Log                             &log,
-           TimerOutput                     &timings)
-        : scene(mesh,
-                parameters.scene.formulation,
-                parameters.scene.particles_per_cell,
-                parameters.scene.gravity,
-                communicator,
-                parameters.scene.partitioner,
-                cell_weights)
-        , stage(make_particle_stage(scene,
-                                    parameters.material,
-                                    parameters.walls,
-                                    parameters.particle_stage))
-        , observers(parameters.output,
-                    scene,
-                    parameters.material,
-                    parameters.walls,
-                    parameters.particle_stage.end_time,
-                    log,
-                    timings)
-      {}
+    public:
+      /// Read the input; nothing is written yet.
+      Simulation(const Parameters &parameters,
+                 const bool        is_restart,
+                 const MPI_Comm    communicator,
+                 Log              &log);
 
-      const Scene                          scene;
-      const std::unique_ptr<ParticleStage> stage;
-      Observers                            observers;
+      void
+      run();
+
+    private:
+      Mesh<dim>
+      timed_mesh();
+
+      std::unique_ptr<Part<dim>>
+      make_part(const std::vector<unsigned int> &cell_weights);
+
+      /// The checkpoint to go on from, if the command line asks for that; the
+      /// part is then on its partition.
+      std::optional<Checkpoint>
+      find_checkpoint();
+
+      void
+      start();
+
+      /// Find the state at rest and carry it to the particles; what output
+      /// shows of it, or nothing where the parameters leave this stage out.
+      std::optional<AtRest>
+      rest();
+
+      void
+      go_on_from(const Checkpoint &checkpoint);
+
+      /// To the end. Where ranks should, they share the cells out anew.
+      void
+      flow_to_end();
+
+      /// To the end, or until the ranks should share the cells out anew.
+      void
+      flow_on_partition();
+
+      const Parameters          &parameters;
+      const bool                 is_restart;
+      const MPI_Comm             communicator;
+      Log                       &log;
+      TimerOutput                timings;
+      const Mesh<dim>            mesh;
+      const Fingerprint          fingerprint;
+      CheckpointWriter<dim>      checkpoints;
+      std::unique_ptr<Part<dim>> part;
     };
 
 
 
-    /// Find the state at rest and carry it to the particles; returns it, or
-    /// nothing where the parameters leave this stage out.
-    std::optional<StaticState>
-    rest(const Parameters &parameters,
-         ParticleStage    &stage,
-         Log              &log,
-         TimerOutput      &timings)
+    template <int dim>
+    Simulation<dim>::Simulation(const Parameters &parameters,
+                                const bool        is_restart,
+                                const MPI_Comm    communicator,
+                                Log              &log)
+      : parameters(parameters)
+      , is_restart(is_restart)
+      , communicator(communicator)
+      , log(log)
+      // Of this rank alone: otherwise deal.II adds a warning to each error.
+      , timings(log.stream(), TimerOutput::never, TimerOutput::wall_times)
+      , mesh(timed_mesh())
+      , fingerprint(ParameterAcceptor::prm, mesh)
+      , checkpoints(parameters.output, fingerprint, timings)
+      , part(make_part({}))
+    {}
+
+
+
+    template <int dim>
+    Mesh<dim>
+    Simulation<dim>::timed_mesh()
+    {
+      TimerOutput::Scope scope(timings, Timing::set_up);
+      return make_mesh<dim>(parameters.scene, communicator);
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Part<dim>>
+    Simulation<dim>::make_part(const std::vector<unsigned int> &cell_weights)
+    {
+      TimerOutput::Scope scope(timings, Timing::set_up);
+      return std::make_unique<Part<dim>>(
+        parameters, mesh, cell_weights, communicator, log, timings);
+    }
+
+
+
+    template <int dim>
+    void
+    Simulation<dim>::run()
+    {
+      const std::optional<Checkpoint> checkpoint = find_checkpoint();
+      prepare_output_directory(parameters.output,
+                               is_restart,
+                               communicator,
+                               log);
+      try
+        {
+          if (checkpoint)
+            go_on_from(*checkpoint);
+          else
+            start();
+          flow_to_end();
+          part->observers.observe_end(part->flow->view());
+          checkpoints.at_end(*part);
+          part->observers.finish();
+        }
+      catch (const RunError &error)
+        {
+          part->observers.finish_after_failure(error.what());
+          throw;
+        }
+    }
+
+
+
+    template <int dim>
+    std::optional<Checkpoint>
+    Simulation<dim>::find_checkpoint()
+    {
+      if (!is_restart)
+        return {};
+      const Checkpoint checkpoint =
+        read_checkpoint(parameters.output.directory,
+                        fingerprint,
+                        parameters.particle_stage.end_time);
+      if (checkpoint.cell_weights != part->scene.cell_weights)
+        part = make_part(checkpoint.cell_weights);
+      return checkpoint;
+    }
+
+
+
+    template <int dim>
+    void
+    Simulation<dim>::start()
+    {
+      const std::optional<AtRest> at_rest = rest();
+      part->observers.start(part->flow->view(), at_rest ? &*at_rest : nullptr);
+    }
+
+
+
+    template <int dim>
+    std::optional<AtRest>
+    Simulation<dim>::rest()
     {
       if (!parameters.static_stage.is_enabled)
         return {};
-      TimerOutput::Scope static_scope(timings, Timing::static_stage);
-      StaticStage        static_stage(stage.scene,
-                               parameters.material,
-                               parameters.walls,
-                               parameters.static_stage,
-                               log.stream());
-      StaticState        state = static_stage.run();
+      TimerOutput::Scope     static_scope(timings, Timing::static_stage);
+      StaticStage<dim>       static_stage(part->scene,
+                                    parameters.material,
+                                    parameters.walls,
+                                    parameters.static_stage,
+                                    log.stream());
+      const StaticState<dim> state = static_stage.run();
       carry_to_particles(state,
-                         stage,
+                         part->scene,
+                         *part->flow,
                          parameters.static_stage.displaces_particles);
       static_scope.stop();
       if (parameters.output.writes_grid)
@@ -76,46 +192,52 @@ namespace Sandglass
           TimerOutput::Scope output_scope(timings, Timing::output);
           static_stage.write_vtu(parameters.output.directory);
         }
-      return state;
+      return AtRest{static_stage.view().wall_records(), state.effort};
     }
 
 
 
-    /// To the end, or until the ranks should share the cells out anew.
+    template <int dim>
     void
-    flow(Part &part, TimerOutput &timings)
+    Simulation<dim>::go_on_from(const Checkpoint &checkpoint)
     {
-      // Looked at before a step, so that a run that goes on from a checkpoint
-      // looks at what the first run has looked at after writing it.
-      while (!part.stage->is_finished() && !is_balance_lost(*part.stage))
+      part->go_on_from(checkpoint);
+      checkpoints.pass(checkpoint.time);
+    }
+
+
+
+    template <int dim>
+    void
+    Simulation<dim>::flow_to_end()
+    {
+      for (flow_on_partition(); !part->flow->is_finished(); flow_on_partition())
         {
-          {
-            TimerOutput::Scope scope(timings, Timing::particle_loop);
-            part.stage->step();
-          }
-          part.observers.after_step(*part.stage);
+          log.stream() << "t = " << part->flow->view().clock().time
+                       << " s: ranks share the cells out anew" << std::endl;
+          auto next = make_part(cell_weights(*part->flow, communicator));
+          next->go_on_from(*part);
+          part = std::move(next);
         }
     }
 
 
 
-    /// To the end. Where ranks should, they share the cells out anew.
-    template <typename MakePart>
+    template <int dim>
     void
-    flow_to_end(std::unique_ptr<Part> &part,
-                const MakePart        &make_part,
-                Log                   &log,
-                TimerOutput           &timings)
+    Simulation<dim>::flow_on_partition()
     {
-      for (flow(*part, timings); !part->stage->is_finished();
-           flow(*part, timings))
+      Flow &flow = *part->flow;
+      // Looked at before a step, so that a run that goes on from a checkpoint
+      // looks at what the first run has looked at after writing it.
+      while (!flow.is_finished() && !part->balance.is_lost(flow, communicator))
         {
-          log.stream() << "t = " << part->stage->clock.time
-                       << " s: ranks share the cells out anew" << std::endl;
-          auto next = make_part(cell_weights(*part->stage));
-          hand_over(*part->stage, *next->stage);
-          next->observers.go_on_from(part->observers, *next->stage);
-          part = std::move(next);
+          {
+            TimerOutput::Scope scope(timings, Timing::particle_loop);
+            flow.step();
+          }
+          part->observers.after_step(flow.view());
+          checkpoints.after_step(*part);
         }
     }
   } // namespace
@@ -129,57 +251,16 @@ namespace Sandglass
   {
     Log log(communicator, command_line.is_quiet);
     log.stream() << banner(communicator) << std::flush;
-
-    // Of this rank alone: otherwise deal.II adds a warning to each error.
-    TimerOutput timings(log.stream(),
-                        TimerOutput::never,
-                        TimerOutput::wall_times);
-    const Mesh  mesh = [&]() {
-      TimerOutput::Scope scope(timings, Timing::set_up);
-      return make_mesh(parameters.scene, communicator);
-    }();
-    const auto make_part = [&](const std::vector<unsigned int> &weights) {
-      TimerOutput::Scope scope(timings, Timing::set_up);
-      return std::make_unique<Part>(
-        parameters, mesh, weights, communicator, log, timings);
-    };
-    std::unique_ptr<Part> part = make_part({});
-
-    std::optional<Checkpoint> checkpoint;
-    if (command_line.is_restart)
-      {
-        checkpoint =
-          read_checkpoint(parameters.output.directory,
-                          checkpoint_settings(part->scene,
-                                              parameters.material,
-                                              parameters.walls,
-                                              parameters.particle_stage));
-        if (checkpoint->cell_weights != part->scene.cell_weights)
-          part = make_part(checkpoint->cell_weights);
-      }
-
-    prepare_output_directory(parameters.output,
-                             command_line.is_restart,
-                             communicator,
-                             log);
-    try
-      {
-        if (checkpoint)
-          part->observers.resume(*part->stage, *checkpoint);
-        else
-          {
-            const auto static_state =
-              rest(parameters, *part->stage, log, timings);
-            part->observers.start(*part->stage,
-                                  static_state ? &*static_state : nullptr);
-          }
-        flow_to_end(part, make_part, log, timings);
-        part->observers.finish(*part->stage);
-      }
-    catch (const RunError &error)
-      {
-        part->observers.finish_after_failure(error.what());
-        throw;
-      }
+    choose(
+      AllKinematics(),
+      [&parameters](const auto kinematics) {
+        return decltype(kinematics)::Type::formulation ==
+               parameters.scene.formulation;
+      },
+      [&](const auto kinematics) {
+        constexpr int dim = decltype(kinematics)::Type::dim;
+        Simulation<dim>(parameters, command_line.is_restart, communicator, log)
+          .run();
+      });
   }
 } // namespace Sandglass

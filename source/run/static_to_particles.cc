@@ -1,3 +1,4 @@
+#include <sandglass/choices.h>
 #include <sandglass/run/static_to_particles.h>
 
 namespace Sandglass
@@ -5,39 +6,54 @@ namespace Sandglass
   namespace
   {
     /// Index of the quadrature point next to a reference point.
+    template <int dim>
     unsigned int
     nearest_quadrature_point(const CellType    cell_type,
                              const Point<dim> &reference_point)
     {
-      return cell_type == CellType::triangle ?
-               0 :
-               (reference_point[0] > 0.5 ? 1 : 0) +
-                 (reference_point[1] > 0.5 ? 2 : 0);
+      unsigned int q = 0;
+      if (!is_simplex(cell_type))
+        for (unsigned int d = 0; d < dim; ++d)
+          q += reference_point[d] > 0.5 ? 1u << d : 0u;
+      return q;
     }
   } // namespace
 
 
 
+  template <int dim>
   void
-  carry_to_particles(const StaticState &static_state,
-                     ParticleStage     &stage,
-                     const bool         displaces_particles)
+  carry_to_particles(const StaticState<dim> &static_state,
+                     const Scene<dim>       &scene,
+                     DynamicFlow<dim>       &flow,
+                     const bool              displaces_particles)
   {
-    const auto &element = *stage.scene.finite_element;
-    stage.set_initial_state(
+    const auto &element = *scene.finite_element;
+    flow.start_from(
       [&](const unsigned int cell, const Point<dim> &reference_point) {
         const auto        &state = static_state.cells[cell];
         const unsigned int q =
-          nearest_quadrature_point(stage.scene.mesh.cell_type, reference_point);
-        ParticleStage::InitialState initial{{},
-                                            state.stress[q],
-                                            state.volume_ratio[q]};
+          nearest_quadrature_point(scene.mesh.cell_type, reference_point);
+        InitialState<dim> initial{{},
+                                  state.stress[q],
+                                  state.volume_ratio[q],
+                                  state.law_state[q]};
         if (displaces_particles)
           for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
             initial.displacement +=
               element.shape_value(i, reference_point) * state.displacement[i];
         return initial;
-      });
-    stage.contact.start_from(static_state.wall_forces);
+      },
+      static_state.wall_forces);
   }
+
+
+
+#define INSTANTIATE(dim)                                     \
+  template void carry_to_particles(const StaticState<dim> &, \
+                                   const Scene<dim> &,       \
+                                   DynamicFlow<dim> &,       \
+                                   const bool);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# Check that doc/parameters.md is what the program prints; ctest calls this.
+# Check that a page of doc/ is what the program prints; ctest calls this.
+#
+#   documentation.sh SETTINGS PAGE OPTION...     PAGE below doc/
 set -euo pipefail
 source "$1" # sandglass, mpiexec, numdiff, root, scratch
+page=$2
 
-if ! "$sandglass" --print-parameters md | diff "$root/doc/parameters.md" -; then
-  echo "doc/parameters.md is out of date: run ./dev doc and commit it"
+if ! "$sandglass" "${@:3}" | diff "$root/doc/$page" -; then
+  echo "doc/$page is out of date: run ./dev doc and commit it"
   exit 1
 fi

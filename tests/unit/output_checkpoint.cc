@@ -1,4 +1,5 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include "unit/output_silo.h"
 
@@ -18,24 +19,28 @@ namespace
 
 
 
+  using Stage = ParticleStage<ParticleLayout<2, 4, 0>>;
+
   /// All numbers of all particles, in the order of the cells.
   std::vector<double>
-  state_of_particles(ParticleStage &stage)
+  state_of_particles(const SmallRun &run)
   {
+    const auto &blocks =
+      dynamic_cast<const Stage &>(run.flow).particles().blocks();
     std::vector<double> numbers;
-    for (const auto &parcel : take_checkpoint(stage).particles)
-      {
-        numbers.insert(numbers.end(),
-                       {double(parcel.cell),
-                        double(parcel.id),
-                        parcel.location[0],
-                        parcel.location[1],
-                        parcel.reference_point[0],
-                        parcel.reference_point[1]});
-        numbers.insert(numbers.end(),
-                       parcel.properties.begin(),
-                       parcel.properties.end());
-      }
+    blocks.for_each([&](const ParticleSlot &slot) {
+      const auto parcel = blocks.parcel(slot);
+      numbers.insert(numbers.end(),
+                     {double(parcel.cell),
+                      double(parcel.id),
+                      parcel.location[0],
+                      parcel.location[1],
+                      parcel.reference_point[0],
+                      parcel.reference_point[1]});
+      numbers.insert(numbers.end(),
+                     parcel.properties.begin(),
+                     parcel.properties.end());
+    });
     return numbers;
   }
 
@@ -75,14 +80,13 @@ namespace
     {
       SmallRun first_part(silo);
       first_part.run(0.22);
-      EXPECT_FALSE(first_part.stage->is_finished());
+      EXPECT_FALSE(first_part.flow.is_finished());
     }
     SmallRun second_part(silo);
     second_part.resume();
 
-    EXPECT_EQ(second_part.stage->view().clock().step, whole.stage->view().clock().step);
-    EXPECT_EQ(state_of_particles(*second_part.stage),
-              state_of_particles(*whole.stage));
+    EXPECT_EQ(second_part.view().clock().step, whole.view().clock().step);
+    EXPECT_EQ(state_of_particles(second_part), state_of_particles(whole));
     for (const std::string name :
          {"/history.csv", "/flow_rate.csv", "/wall_traction.csv"})
       EXPECT_EQ(read_text(silo.output.directory + name),
@@ -93,8 +97,8 @@ namespace
                 data_sets(whole_silo.output.directory + name))
         << name;
     // Some was discharged before, and some after the checkpoint.
-    EXPECT_GT(second_part.stage->removed_mass().discharged, 0.);
-    return second_part.stage->particles().n_locally_owned_particles();
+    EXPECT_GT(second_part.view().totals().mass_removed, 0.);
+    return second_part.view().n_particles();
   }
 
 
@@ -131,12 +135,11 @@ namespace
     const auto        n_rows  = read_lines(history).size();
 
     SmallRun         run(silo);
-    const Checkpoint checkpoint =
-      read_checkpoint(silo.output.directory, run.settings());
-    run.observers.resume(*run.stage, checkpoint);
+    const Checkpoint checkpoint = run.find_checkpoint();
+    run.go_on_from(checkpoint);
     const auto rows = read_lines(history);
     EXPECT_LT(rows.size(), n_rows);
-    EXPECT_EQ(read_numbers(rows.back())[0], checkpoint.clock.time);
+    EXPECT_EQ(read_numbers(rows.back())[0], checkpoint.time);
   }
 
 
@@ -150,7 +153,7 @@ namespace
     silo.stage.end_time = 0.12;
     SmallRun run(silo);
     run.resume();
-    EXPECT_NEAR(run.stage->view().clock().time, 0.12, 1e-12);
+    EXPECT_NEAR(run.view().clock().time, 0.12, 1e-12);
     const auto rows = read_lines(silo.output.directory + "/history.csv");
     EXPECT_EQ(rows.size(), 1 + 13);
   }
@@ -167,6 +170,7 @@ namespace
     silo.stage.end_time             = 0.002;
     silo.output.checkpoint_interval = 1.;
     SmallRun(silo).run();
+    silo.stage.end_time = 0.003;
     change(silo);
     std::string message;
     try
@@ -185,8 +189,8 @@ namespace
   TEST(Checkpoint, refuses_another_material)
   {
     expect_refusal_after(
-      [](SmallSilo &silo) { silo.material.young_modulus = 2e6; },
-      "Material/Young modulus = 1e+06, and now it is 2e+06");
+      [](SmallSilo &silo) { silo.set("Material", "Young modulus", "2e6"); },
+      "Material/Young modulus = 1000000, and now it is 2e6");
   }
 
 
@@ -195,14 +199,43 @@ namespace
   {
     expect_refusal_after(
       [](SmallSilo &silo) {
-        silo.stage.split_particles = SplitParticles::always;
+        silo.set("Particle stage", "Split particles", "never");
       },
-      "Particle stage/Split particles = where needed, and now it is always");
+      "Particle stage/Split particles = where needed, and now it is never");
     expect_refusal_after(
       [](SmallSilo &silo) {
-        silo.stage.force_integration = ForceIntegration::particles;
+        silo.set("Particle stage", "Force integration", "particles");
       },
       "Particle stage/Force integration = cell, and now it is particles");
+  }
+
+
+
+  TEST(Checkpoint, refuses_an_end_that_is_not_later)
+  {
+    expect_refusal_after([](SmallSilo &silo) { silo.stage.end_time = 0.002; },
+                         "parameter 'End time', value '0.002'");
+    expect_refusal_after([](SmallSilo &silo) { silo.stage.end_time = 0.001; },
+                         "checkpoint.bin', 0.002 s");
+  }
+
+
+
+  TEST(Checkpoint, takes_what_is_free_to_change)
+  {
+    SmallSilo silo;
+    silo.stage.end_time             = 0.002;
+    silo.output.checkpoint_interval = 1.;
+    SmallRun(silo).run();
+    silo.set("Particle stage", "End time", "0.004");
+    silo.set("Particle stage", "Time step", "2e-4");
+    silo.set("Particle stage", "Largest speed", "0");
+    silo.set("Output", "History interval", "0.001");
+    silo.set("Output", "Grid", "false");
+    silo.set("Output", "Progress interval", "0");
+    SmallRun run(silo);
+    run.resume();
+    EXPECT_NEAR(run.view().clock().time, 0.004, 1e-12);
   }
 
 

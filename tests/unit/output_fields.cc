@@ -1,5 +1,6 @@
 #include <sandglass/output/field_series.h>
-#include <sandglass/output/fields.h>
+#include <sandglass/output/grid_fields.h>
+#include <sandglass/output/particle_fields.h>
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -10,6 +11,7 @@
 
 #include <cmath>
 
+#include "empty_flow.h"
 #include "unit/output_silo.h"
 
 using namespace Sandglass;
@@ -51,13 +53,24 @@ namespace
 
   /// Particles with a displacement and a stress that tells its components.
   void
-  give_state(ParticleStage &stage)
+  give_state(DynamicFlow<2> &flow)
   {
-    stage.start_from([](const unsigned int, const Point<dim> &) {
-      return Sandglass::InitialState<2>{Tensor<1, dim>({0., -sink}),
-                                         SymmetricComponents<4>(-1., -2., -4., 8.),
-                                         1.};
-    });
+    flow.start_from(
+      [](const unsigned int, const Point<2> &) {
+        return InitialState<2>{Tensor<1, 2>({0., -sink}),
+                               SymmetricComponents<4>(-1., -2., -4., 8.),
+                               1.,
+                               {}};
+      },
+      {});
+  }
+
+
+
+  Layers
+  layers_of(const Scene<2> &scene)
+  {
+    return {scene.fill_bottom, scene.fill_top};
   }
 
 
@@ -66,13 +79,13 @@ namespace
   {
     SmallSilo silo;
     SmallRun  run(silo);
-    give_state(*run.stage);
+    give_state(run.flow);
     const std::string filename = SmallSilo::unique_path() + ".vtu";
-    write_vtu(filename, particle_fields(*run.stage));
+    write_vtu(filename, particle_fields(run.view(), layers_of(run.scene)));
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
 
-    const unsigned int n = run.stage->particles().n_locally_owned_particles();
+    const unsigned int n = run.view().n_particles();
     ASSERT_GT(n, 100);
     ASSERT_EQ(vtu->GetNumberOfPoints(), n);
     EXPECT_EQ(vtu->GetNumberOfCells(), n);
@@ -115,11 +128,56 @@ namespace
   {
     SmallSilo      silo;
     const SmallRun run(silo);
-    const double   edge = 0.4;
-    EXPECT_EQ(layer_of(Point<dim>(0.1, edge - 1e-15), run.scene), 9);
-    EXPECT_EQ(layer_of(Point<dim>(0.1, edge + 1e-15), run.scene), 9);
-    EXPECT_EQ(layer_of(Point<dim>(0.1, 0.8), run.scene), 1);
-    EXPECT_EQ(layer_of(Point<dim>(0.1, 0.), run.scene), 16);
+    const Layers   layers = layers_of(run.scene);
+    const double   edge   = 0.4;
+    EXPECT_EQ(layers.of(Point<3>(0.1, edge - 1e-15, 0.)), 9);
+    EXPECT_EQ(layers.of(Point<3>(0.1, edge + 1e-15, 0.)), 9);
+    EXPECT_EQ(layers.of(Point<3>(0.1, 0.8, 0.)), 1);
+    EXPECT_EQ(layers.of(Point<3>(0.1, 0., 0.)), 16);
+  }
+
+
+
+  /// One particle, and what a law with state variables has left in it.
+  class FlowWithLawState : public EmptyFlow
+  {
+    std::vector<StateVariable>
+    state_variables() const override
+    {
+      return {{"void ratio", "1", 1}, {"fabric", "1", 6}};
+    }
+
+    unsigned int
+    n_particles() const override
+    {
+      return 1;
+    }
+
+    void
+    for_each_particle(const std::function<void(const ParticleRecord &)>
+                        &function) const override
+    {
+      const std::array<double, 7> state = {{0.5, 1., 2., 3., 4., 5., 6.}};
+      ParticleRecord              particle{};
+      particle.law_state = state.data();
+      function(particle);
+    }
+  };
+
+
+
+  TEST(ParticleFields, state_variables_of_the_law)
+  {
+    const VtuPiece piece =
+      particle_fields(FlowWithLawState().view(), Layers{0., 1.});
+    ASSERT_EQ(piece.point_fields.size(), particle_table.size() + 2);
+    const auto &fields = piece.point_fields;
+    EXPECT_EQ(fields[fields.size() - 2].name, "void ratio");
+    EXPECT_EQ(std::get<std::vector<float>>(fields[fields.size() - 2].values),
+              std::vector<float>({0.5}));
+    EXPECT_EQ(std::get<std::vector<float>>(fields.back().values),
+              std::vector<float>({1., 2., 3., 4., 5., 6.}));
+    EXPECT_EQ(fields.back().component_names[3], "XY");
   }
 
 
@@ -130,9 +188,9 @@ namespace
     SmallSilo silo;
     silo.scene.cell_type = cell_type;
     SmallRun run(silo);
-    run.stage->step();
+    run.flow.step();
     const std::string filename = SmallSilo::unique_path() + ".vtu";
-    write_vtu(filename, grid_fields(*run.stage));
+    write_vtu(filename, grid_fields(run.view(), 2));
     VtuReader vtu(filename);
     std::filesystem::remove(filename);
 
@@ -173,7 +231,7 @@ namespace
     double sum         = 0.;
     for (int c = 0; c < vtu->GetNumberOfCells(); ++c)
       sum += n_particles->GetTuple1(c);
-    EXPECT_EQ(sum, run.stage->particles().n_locally_owned_particles());
+    EXPECT_EQ(sum, run.view().n_particles());
   }
 
 

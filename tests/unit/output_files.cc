@@ -53,9 +53,38 @@ namespace
     const TemporaryFile file;
     CsvFile             table(file.name, {"time_s", "wall", "step"});
     table.open();
-    table.add_row(0.5, "floor", 3ul);
+    table.add_row({0.5, std::string("floor"), 3ul});
     table.flush();
     EXPECT_EQ(read_text(file.name), "time_s,wall,step\n0.5,floor,3\n");
+  }
+
+
+
+  TEST(CsvFile, columns_of_a_table_where_they_are_there)
+  {
+    struct Row
+    {
+      double time;
+      bool   has_step;
+    };
+    const std::vector<Column<Row>> columns = {
+      {"time_s", "s", [](const Row &row) { return row.time; }, ""},
+      {"step",
+       "1",
+       [](const Row &) { return 3ul; },
+       "",
+       [](const Row &row) { return row.has_step; }}};
+    for (const bool has_step : {true, false})
+      {
+        const TemporaryFile file;
+        const Row           row{0.5, has_step};
+        CsvTable<Row>       table(file.name, columns, row);
+        table.open();
+        table.add_row(row);
+        table.flush();
+        EXPECT_EQ(read_text(file.name),
+                  has_step ? "time_s,step\n0.5,3\n" : "time_s\n0.5\n");
+      }
   }
 
 
@@ -67,15 +96,15 @@ namespace
     {
       CsvFile table(file.name, {"a", "b"});
       table.open();
-      table.add_row(1., 2.);
+      table.add_row({1., 2.});
       boost::archive::text_oarchive(archive) << std::as_const(table);
-      table.add_row(3., 4.);
+      table.add_row({3., 4.});
       table.flush();
     }
     CsvFile table(file.name, {"a", "b"});
     boost::archive::text_iarchive(archive) >> table;
     table.open();
-    table.add_row(5., 6.);
+    table.add_row({5., 6.});
     table.flush();
     EXPECT_EQ(read_text(file.name), "a,b\n1,2\n5,6\n");
   }

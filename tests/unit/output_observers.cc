@@ -157,13 +157,12 @@ namespace
   {
     SmallSilo silo;
     silo.stage.end_time = 0.;
-    SmallRun    run(silo);
-    StaticState<2> state;
-    state.wall_forces = run.stage->@TAKE@;
-    for (auto &force : state.wall_forces)
-      force.normal_force = 500. * force.tributary_area;
-    state.effort = {90, false, 7, 30};
-    run.run(1e300, &state);
+    SmallRun run(silo);
+    AtRest   at_rest{run.view().wall_records(), {90, false, 7, 30}};
+    at_rest.wall_records.time = 1.;
+    for (auto &record : at_rest.wall_records.records)
+      record.impulse = -500. * record.area * record.normal;
+    run.run(1e300, &at_rest);
 
     const auto summary = read_json(silo.output.directory + "/summary.json");
     EXPECT_EQ(summary.get<unsigned int>("static_unknowns"), 90);
@@ -223,7 +222,7 @@ namespace
     SmallSilo silo;
     SmallRun  run(silo);
     prepare_output_directory(silo.output, false, MPI_COMM_SELF, run.log);
-    run.observers.start(*run.stage, nullptr);
+    run.observers.start(run.view(), nullptr);
     run.observers.finish_after_failure("Step 7: a particle \"flew\" away");
 
     const auto summary = read_json(silo.output.directory + "/summary.json");

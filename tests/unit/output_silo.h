@@ -1,9 +1,9 @@
 #ifndef tests_unit_output_silo_h
 #define tests_unit_output_silo_h
 
-#include <sandglass/output/log.h>
-#include <sandglass/output/observers.h>
 #include <sandglass/output/output_directory.h>
+#include <sandglass/run/checkpoint_writer.h>
+#include <sandglass/run/part.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>
@@ -27,6 +27,11 @@ namespace Sandglass
     explicit SmallSilo(const MPI_Comm     communicator = MPI_COMM_SELF,
                        const std::string &name         = "")
       : communicator(communicator)
+      , scene(parameters.scene)
+      , material(parameters.material)
+      , walls(parameters.walls)
+      , stage(parameters.particle_stage)
+      , output(parameters.output)
     {
       scene.half_width         = 0.4;
       scene.wall_height        = 0.8;
@@ -54,12 +59,40 @@ namespace Sandglass
              test->name() + '_' + std::to_string(getpid());
     }
 
-    SceneParameters         scene;
-    MaterialParameters      material;
-    WallParameters          walls;
-    ParticleStageParameters stage;
-    OutputParameters        output;
-    const MPI_Comm          communicator;
+    /// As a parameter file does; only for the silo that was made last.
+    static void
+    set(const std::string &section,
+        const std::string &name,
+        const std::string &value)
+    {
+      auto &prm = ParameterAcceptor::prm;
+      prm.enter_subsection(section);
+      prm.set(name, value);
+      prm.leave_subsection();
+    }
+
+    const MPI_Comm communicator;
+
+  private:
+    /// The parameter classes add themselves to a global list; it is cleared so
+    /// that each silo can make its own.
+    struct ClearedParameters
+    {
+      ClearedParameters()
+      {
+        ParameterAcceptor::clear();
+      }
+    };
+
+    ClearedParameters cleared;
+
+  public:
+    Parameters               parameters;
+    SceneParameters         &scene;
+    MaterialParameters      &material;
+    WallParameters          &walls;
+    ParticleStageParameters &stage;
+    OutputParameters        &output;
 
   private:
     void
@@ -80,32 +113,34 @@ namespace Sandglass
   {
     explicit SmallRun(SmallSilo &silo)
       : silo(silo)
-      , scene(make_mesh(silo.scene, silo.communicator),
-              silo.scene.formulation,
-              silo.scene.particles_per_cell,
-              silo.scene.gravity,
-              silo.communicator)
       , log(silo.communicator, true)
       , timings(log.stream(), TimerOutput::never, TimerOutput::wall_times)
-      , observers(silo.output,
-                  scene,
-                  silo.material,
-                  silo.walls,
-                  silo.stage.end_time,
-                  log,
-                  timings)
+      , mesh(make_mesh<2>(silo.scene, silo.communicator))
+      , fingerprint(ParameterAcceptor::prm, mesh)
+      , checkpoints(silo.output, fingerprint, timings)
+      , part(checked_parameters(silo),
+             mesh,
+             {},
+             silo.communicator,
+             log,
+             timings)
+      , scene(part.scene)
+      , observers(part.observers)
+      , flow(*part.flow)
+    {}
+
+    const FlowView &
+    view() const
     {
-      silo.stage.check();
-      stage = make_particle_stage(scene, silo.material, silo.walls, silo.stage);
+      return flow.view();
     }
 
     /// Run from the start to `end_time`, or if that is less, to the end.
     void
-    run(const double       end_time     = 1e300,
-        const StaticState<2> *static_state = nullptr)
+    run(const double end_time = 1e300, const AtRest *at_rest = nullptr)
     {
       prepare_output_directory(silo.output, false, silo.communicator, log);
-      observers.start(*stage, static_state);
+      observers.start(view(), at_rest);
       go_on(end_time);
     }
 
@@ -113,40 +148,63 @@ namespace Sandglass
     void
     resume()
     {
-      const Checkpoint checkpoint =
-        read_checkpoint(silo.output.directory, settings());
-      prepare_output_directory(silo.output, true, silo.communicator, log);
-      observers.resume(*stage, checkpoint);
+      go_on_from(find_checkpoint());
       go_on(1e300);
     }
 
-    std::vector<Checkpoint::Setting>
-    settings() const
+    Checkpoint
+    find_checkpoint() const
     {
-      return checkpoint_settings(scene, silo.material, silo.walls, silo.stage);
+      return read_checkpoint(silo.output.directory,
+                             fingerprint,
+                             silo.stage.end_time);
+    }
+
+    void
+    go_on_from(const Checkpoint &checkpoint)
+    {
+      prepare_output_directory(silo.output, true, silo.communicator, log);
+      part.go_on_from(checkpoint);
+      checkpoints.pass(checkpoint.time);
     }
 
     void
     go_on(const double end_time)
     {
-      while (!stage->is_finished() && stage->view().clock().time < end_time)
+      while (!flow.is_finished() && view().clock().time < end_time)
         {
           {
             TimerOutput::Scope scope(timings, Timing::particle_loop);
-            stage->step();
+            flow.step();
           }
-          observers.after_step(*stage);
+          observers.after_step(view());
+          checkpoints.after_step(part);
         }
-      if (stage->is_finished())
-        observers.finish(*stage);
+      if (!flow.is_finished())
+        return;
+      observers.observe_end(view());
+      checkpoints.at_end(part);
+      observers.finish();
     }
 
-    SmallSilo                     &silo;
-    const Scene<2>                    scene;
-    Log                            log;
-    TimerOutput                    timings;
-    Observers                      observers;
-    std::unique_ptr<ParticleStage> stage;
+    SmallSilo          &silo;
+    Log                 log;
+    TimerOutput         timings;
+    const Mesh<2>       mesh;
+    const Fingerprint   fingerprint;
+    CheckpointWriter<2> checkpoints;
+    Part<2>             part;
+    const Scene<2>     &scene;
+    Observers<2>       &observers;
+    DynamicFlow<2>     &flow;
+
+  private:
+    static const Parameters &
+    checked_parameters(SmallSilo &silo)
+    {
+      silo.stage.check();
+      return silo.parameters;
+    }
   };
 
 

@@ -1,4 +1,4 @@
-#include <sandglass/output/wall_tractions.h>
+#include <sandglass/output/section_wall_tractions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,16 @@ namespace
     SmallSilo       silo;
     const SmallRun  run(silo);
     const WallLines lines(run.scene.mesh,
-                          SiloMeasures(run.scene).bottom_centre);
+                          run.scene.walls,
+                          SiloMeasures<2>(run.scene).bottom_centre);
     const auto      arc_length =
-      [&lines](const BoundaryRole role, const double x, const double y) {
-        return lines.find(role, Point<dim>(x, y)).arc_length;
+      [&](const BoundaryRole role, const double x, const double y) {
+        unsigned int vertex = 0;
+        while (run.scene.mesh.vertices[vertex].distance(Point<2>(x, y)) > 1e-9)
+          ++vertex;
+        return lines
+          .find(boundary_part(run.scene.walls, boundary_id(role)).wall, vertex)
+          .arc_length;
       };
     EXPECT_NEAR(arc_length(BoundaryRole::floor, 0.2, 0.), 0.0, 1e-12);
     EXPECT_NEAR(arc_length(BoundaryRole::floor, 0.4, 0.), 0.2, 1e-12);
@@ -38,10 +44,12 @@ namespace
     mesh.faces    = {{{{3, 2}}, BoundaryRole::hopper},
                      {{{2, 0}}, BoundaryRole::hopper},
                      {{{4, 1}}, BoundaryRole::hopper}};
-    const WallLines lines(mesh, Point<dim>(0.1, 0.));
-    const auto     &left_end = lines.find(BoundaryRole::hopper, {-3., 2.});
+    const std::vector<Wall<2>> walls = {
+      {"hopper", BoundaryRole::hopper, boundary_id(BoundaryRole::hopper)}};
+    const WallLines lines(mesh, walls, Point<2>(0.1, 0.));
+    const auto     &left_end = lines.find(0, 3);
     EXPECT_NEAR(left_end.arc_length, std::sqrt(5.) + 1., 1e-12);
-    const auto &right_end = lines.find(BoundaryRole::hopper, {4., 4.});
+    const auto &right_end = lines.find(0, 4);
     EXPECT_NEAR(right_end.arc_length, 5., 1e-12);
     EXPECT_EQ(right_end.line, 0);
     EXPECT_EQ(left_end.line, 1);
@@ -51,9 +59,9 @@ namespace
 
   TEST(SiloMeasures, widths_of_the_whole_silo)
   {
-    SmallSilo          silo;
-    const SmallRun     run(silo);
-    const SiloMeasures measures(run.scene);
+    SmallSilo             silo;
+    const SmallRun        run(silo);
+    const SiloMeasures<2> measures(run.scene);
     EXPECT_TRUE(measures.has_open_outlet);
     EXPECT_NEAR(measures.outlet_width, 0.4, 1e-12);
     EXPECT_NEAR(measures.wall_width, 0.8, 1e-12);
@@ -62,42 +70,73 @@ namespace
 
 
 
-  /// Forces of the given tractions at all nodes of walls.
-  std::vector<WallForce<2>>
-  make_forces(const SmallRun &run, const double normal, const double tangential)
+  /// Records of the given tractions, in Pa, at all nodes of walls.
+  WallRecords
+  make_records(const SmallRun &run,
+               const double    normal,
+               const double    tangential)
   {
-    std::vector<WallForce<2>> forces = run.stage->@TAKE@;
-    for (auto &force : forces)
+    WallRecords records = run.view().wall_records();
+    records.time        = 1.;
+    for (auto &record : records.records)
       {
-        force.normal_force     = normal * force.tributary_area;
-        force.tangential_force = tangential * force.tributary_area;
+        // Up along the wall, which is at the right, or to the right.
+        const Tensor<1, 3> &n = record.normal;
+        const Tensor<1, 3>  tangent({std::abs(n[1]), std::abs(n[0]), 0.});
+        record.impulse = record.area * (tangential * tangent - normal * n);
       }
-    return forces;
+    return records;
   }
 
 
 
   TEST(WallTractions, force_over_tributary_area_in_order_along_walls)
   {
-    SmallSilo           silo;
-    SmallRun            run(silo);
-    const WallTractions observer(silo.output,
-                                 run.scene,
-                                 silo.material,
-                                 silo.walls);
-    const auto tractions = observer.collect(make_forces(run, 1000., -50.));
+    SmallSilo              silo;
+    SmallRun               run(silo);
+    const WallTractions<2> observer(silo.output,
+                                    run.scene,
+                                    silo.material,
+                                    silo.walls);
+    const auto tractions = observer.at_rest(make_records(run, 1000., -50.));
 
     // 9 nodes on the wall, 3 on the floor; none on axis and open outlet
     ASSERT_EQ(tractions.size(), 12);
     for (unsigned int i = 0; i < tractions.size(); ++i)
       {
-        EXPECT_EQ(tractions[i].force.role,
+        EXPECT_EQ(tractions[i].role,
                   i < 9 ? BoundaryRole::wall : BoundaryRole::floor);
         EXPECT_NEAR(tractions[i].place.arc_length,
                     0.1 * (i < 9 ? i : i - 9),
                     1e-9);
-        EXPECT_NEAR(tractions[i].normal, 1000., 1e-9);
-        EXPECT_NEAR(tractions[i].tangential, -50., 1e-9);
+        EXPECT_NEAR(tractions[i].normal(), 1000., 1e-9);
+        EXPECT_NEAR(tractions[i].tangential(), -50., 1e-9);
+      }
+  }
+
+
+
+  TEST(WallTractions, mean_over_the_time_since_the_last)
+  {
+    SmallSilo        silo;
+    SmallRun         run(silo);
+    WallTractions<2> observer(silo.output,
+                              run.scene,
+                              silo.material,
+                              silo.walls);
+    WallRecords      records = make_records(run, 1000., 20.);
+    records.time             = 0.5;
+    for (const auto &traction : observer.since_last(0.5, records))
+      EXPECT_NEAR(traction.normal(), 1000. / 0.5, 1e-9);
+
+    // Now 300 and 10 more within a quarter of a second.
+    records      = make_records(run, 1300., 30.);
+    records.time = 0.75;
+    for (const auto &traction : observer.since_last(0.75, records))
+      {
+        EXPECT_NEAR(traction.normal(), 300. / 0.25, 1e-9);
+        EXPECT_NEAR(traction.tangential(), 10. / 0.25, 1e-9);
+        EXPECT_EQ(traction.time, 0.75);
       }
   }
 
@@ -107,21 +146,21 @@ namespace
   {
     SmallSilo silo;
     silo.output.lateral_pressure_ratio = 0.5;
-    SmallRun            run(silo);
-    const WallTractions observer(silo.output,
-                                 run.scene,
-                                 silo.material,
-                                 silo.walls);
-    const auto          tractions = observer.collect(make_forces(run, 1., 0.));
-    const double        gamma     = 1500. * 9.81;
-    const double        mu        = std::tan(20. * numbers::PI / 180.);
-    const double        z0        = 0.8 / (2. * 0.5 * mu);
+    SmallRun               run(silo);
+    const WallTractions<2> observer(silo.output,
+                                    run.scene,
+                                    silo.material,
+                                    silo.walls);
+    const auto   tractions = observer.at_rest(make_records(run, 1., 0.));
+    const double gamma     = 1500. * 9.81;
+    const double mu        = std::tan(20. * numbers::PI / 180.);
+    const double z0        = 0.8 / (2. * 0.5 * mu);
     for (const auto &traction : tractions)
       {
-        const double z  = 0.8 - traction.force.position[1];
+        const double z  = 0.8 - traction.record.position[1];
         const double ph = gamma * 0.5 * z0 * (1. - std::exp(-z / z0));
         EXPECT_NEAR(traction.janssen_normal,
-                    traction.force.role == BoundaryRole::wall ? ph : ph / 0.5,
+                    traction.role == BoundaryRole::wall ? ph : ph / 0.5,
                     1e-6);
       }
   }
@@ -133,19 +172,20 @@ namespace
     SmallSilo silo;
     silo.scene.hopper_height  = 0.2;
     silo.scene.outlet_is_open = false;
-    SmallRun            run(silo);
-    const WallTractions observer(silo.output,
-                                 run.scene,
-                                 silo.material,
-                                 silo.walls);
-    const auto          tractions = observer.collect(make_forces(run, 1., 0.));
-    EXPECT_TRUE(std::any_of(
-      tractions.begin(), tractions.end(), [](const WallTraction &traction) {
-        return traction.force.role == BoundaryRole::outlet;
-      }));
+    SmallRun               run(silo);
+    const WallTractions<2> observer(silo.output,
+                                    run.scene,
+                                    silo.material,
+                                    silo.walls);
+    const auto tractions = observer.at_rest(make_records(run, 1., 0.));
+    EXPECT_TRUE(std::any_of(tractions.begin(),
+                            tractions.end(),
+                            [](const WallTraction &traction) {
+                              return traction.role == BoundaryRole::outlet;
+                            }));
     for (const auto &traction : tractions)
       EXPECT_EQ(std::isnan(traction.janssen_normal),
-                traction.force.role != BoundaryRole::wall);
+                traction.role != BoundaryRole::wall);
   }
 
 
@@ -160,22 +200,22 @@ namespace
     const Janssen           janssen{1500. * 9.81,
                           0.4,
                           0.5,
-                          silo.walls.friction_coefficient()};
+                          std::tan(20. * numbers::PI / 180.)};
     const EurocodePressures expected(
       {Formulation::plane_strain, 0.8, 1.7, 0., 0.5, 25.}, janssen);
     for (const double eccentricity : {0., 0.1})
       {
         silo.scene.is_symmetric        = eccentricity == 0.;
         silo.scene.outlet_eccentricity = eccentricity;
-        SmallRun            run(silo);
-        const WallTractions observer(silo.output,
-                                     run.scene,
-                                     silo.material,
-                                     silo.walls);
-        for (const auto &traction : observer.collect(make_forces(run, 1., 0.)))
+        SmallRun               run(silo);
+        const WallTractions<2> observer(silo.output,
+                                        run.scene,
+                                        silo.material,
+                                        silo.walls);
+        for (const auto &traction : observer.at_rest(make_records(run, 1., 0.)))
           {
-            const double depth   = 2.1 - traction.force.position[1];
-            const bool is_hopper = traction.force.role == BoundaryRole::hopper;
+            const double depth     = 2.1 - traction.record.position[1];
+            const bool   is_hopper = traction.role == BoundaryRole::hopper;
             for (const auto &[found, load] :
                  {std::make_pair(traction.eurocode_filling,
                                  EurocodePressures::Load::filling),
@@ -205,15 +245,14 @@ namespace
     for (const double wall_height : {0.8, 1.7})
       {
         silo.scene.wall_height = wall_height;
-        SmallRun            run(silo);
-        const WallTractions observer(silo.output,
-                                     run.scene,
-                                     silo.material,
-                                     silo.walls);
-        for (const auto &traction : observer.collect(make_forces(run, 1., 0.)))
+        SmallRun               run(silo);
+        const WallTractions<2> observer(silo.output,
+                                        run.scene,
+                                        silo.material,
+                                        silo.walls);
+        for (const auto &traction : observer.at_rest(make_records(run, 1., 0.)))
           EXPECT_EQ(std::isnan(traction.eurocode_filling.normal),
-                    wall_height < 1. ||
-                      traction.force.role == BoundaryRole::floor);
+                    wall_height < 1. || traction.role == BoundaryRole::floor);
       }
   }
 
@@ -221,14 +260,14 @@ namespace
 
   TEST(WallTractions, picture_has_a_line_for_each_wall)
   {
-    SmallSilo           silo;
-    SmallRun            run(silo);
-    const WallTractions observer(silo.output,
-                                 run.scene,
-                                 silo.material,
-                                 silo.walls);
-    const VtuPiece      piece =
-      wall_fields(observer.collect(make_forces(run, 1000., 50.)));
+    SmallSilo              silo;
+    SmallRun               run(silo);
+    const WallTractions<2> observer(silo.output,
+                                    run.scene,
+                                    silo.material,
+                                    silo.walls);
+    const VtuPiece         piece =
+      wall_fields(observer.at_rest(make_records(run, 1000., 50.)));
     EXPECT_EQ(piece.points.size(), 3 * 12);
     EXPECT_EQ(piece.cells.size(), 2 * (8 + 2));
 

@@ -3,6 +3,8 @@
 
 #include <sandglass/continuum/in_plane_response.h>
 
+#include <boost/serialization/array_wrapper.hpp>
+
 namespace Sandglass
 {
   /**
@@ -99,6 +101,16 @@ namespace Sandglass
             result.row(2 * v) += hoop[v] * stress.row(GradientComponent::hoop);
         }
       return result;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &boost::serialization::make_array(gradients.data(),
+                                                gradients.size());
+      archive &boost::serialization::make_array(hoop.data(), hoop.size());
+      archive &has_hoop;
     }
 
   private:

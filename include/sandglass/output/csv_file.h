@@ -1,10 +1,11 @@
 #ifndef sandglass_output_csv_file_h
 #define sandglass_output_csv_file_h
 
+#include <sandglass/base/table.h>
+
 #include <cstdint>
 #include <fstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace Sandglass
@@ -30,14 +31,9 @@ namespace Sandglass
     void
     open();
 
-    /// Numbers and texts, one for each column.
-    template <typename... Values>
+    /// One value for each column.
     void
-    add_row(const Values &...values)
-    {
-      (append(values), ...);
-      end_row();
-    }
+    add_row(const std::vector<ColumnValue> &values);
 
     /// Bring all rows to the file.
     void
@@ -51,20 +47,54 @@ namespace Sandglass
     }
 
   private:
+    /// The texts with commas between them, as a line of the file.
     void
-    append(const double value);
-    void
-    append(const unsigned long value);
-    void
-    append(const std::string_view &value);
-    void
-    end_row();
+    write_line(const std::vector<std::string> &texts);
 
     const std::string              filename;
     const std::vector<std::string> columns;
     std::ofstream                  file;
-    std::string                    row;
     std::uint64_t                  size = 0; ///< in bytes
+  };
+
+  /// The same with the columns of a table.
+  template <typename Source>
+  class CsvTable : public CsvFile
+  {
+  public:
+    /// @param example  of the rows' sources, for the columns that the file has.
+    CsvTable(const std::string                 &filename,
+             const std::vector<Column<Source>> &all_columns,
+             const Source                      &example)
+      : CsvTable(filename, columns_of(all_columns, example))
+    {}
+
+    void
+    add_row(const Source &source)
+    {
+      std::vector<ColumnValue> values;
+      for (const Column<Source> &column : columns)
+        values.push_back(value_of(column, source));
+      CsvFile::add_row(values);
+    }
+
+  private:
+    CsvTable(const std::string                 &filename,
+             const std::vector<Column<Source>> &columns)
+      : CsvFile(filename, names(columns))
+      , columns(columns)
+    {}
+
+    static std::vector<std::string>
+    names(const std::vector<Column<Source>> &columns)
+    {
+      std::vector<std::string> result;
+      for (const Column<Source> &column : columns)
+        result.emplace_back(column.name);
+      return result;
+    }
+
+    const std::vector<Column<Source>> columns;
   };
 } // namespace Sandglass
 

@@ -1,7 +1,9 @@
 #ifndef sandglass_output_flow_pattern_h
 #define sandglass_output_flow_pattern_h
 
-#include <sandglass/flow/particle_in_cell/particle_stage.h>
+#include <sandglass/flow/flow_view.h>
+
+#include <mpi.h>
 
 #include <limits>
 #include <optional>
@@ -21,8 +23,12 @@ namespace Sandglass
      * for.
      *
      * @param stagnant_displacement  in m; 0: no stagnant mass.
+     * @param symmetry_factor        see Scene.
      */
-    FlowPattern(ParticleStage &stage, const double stagnant_displacement);
+    FlowPattern(const FlowView &view,
+                const double    stagnant_displacement,
+                const double    symmetry_factor,
+                const MPI_Comm  communicator);
 
     /// Share of the wall's area in contact where the material slides, in the
     /// last step; NaN where nothing is in contact.

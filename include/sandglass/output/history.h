@@ -1,13 +1,14 @@
 #ifndef sandglass_output_history_h
 #define sandglass_output_history_h
 
+#include <sandglass/material/material_parameters.h>
 #include <sandglass/output/csv_file.h>
 #include <sandglass/output/flow_pattern.h>
 #include <sandglass/output/flow_rate.h>
 #include <sandglass/output/flow_summary.h>
 #include <sandglass/output/output_parameters.h>
-#include <sandglass/output/particle_totals.h>
-#include <sandglass/output/silo_measures.h>
+#include <sandglass/output/silo_totals.h>
+#include <sandglass/scene/scene.h>
 
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
@@ -18,28 +19,47 @@
 
 namespace Sandglass
 {
+  /// What a row of history.csv is read from.
+  struct HistoryRow
+  {
+    Clock       clock;
+    double      critical_time_step; ///< in s
+    SiloTotals  totals;
+    FlowPattern pattern;
+  };
+
+  /// Columns of history.csv.
+  extern const std::vector<Column<HistoryRow>> history_table;
+
+  /// What a row of flow_rate.csv is read from.
+  struct FlowRateRow
+  {
+    double time;            ///< in s
+    double discharged_mass; ///< in kg
+    double rate;            ///< in kg/s
+    /// For grains of 0, 0.1 and 0.2 outlet widths, in kg/s.
+    std::array<double, 3> beverloo;
+  };
+
+  /// Columns of flow_rate.csv.
+  extern const std::vector<Column<FlowRateRow>> flow_rate_table;
+
   /// Writes history.csv and, if material can leave, flow_rate.csv.
   class History
   {
   public:
+    template <int dim>
     History(const OutputParameters   &parameters,
-            const Scene              &scene,
+            const Scene<dim>         &scene,
             const MaterialParameters &material);
 
     /// Open the files, after deserialization those of the earlier run.
     void
     open();
 
-    /**
-     * Add a row to each file.
-     *
-     * @param critical_time_step  in s.
-     */
+    /// Add a row to each file.
     void
-    observe(const Clock          &clock,
-            const double          critical_time_step,
-            const ParticleTotals &totals,
-            const FlowPattern    &pattern);
+    add(const HistoryRow &row);
 
     /// How far stagnant material has moved at most, in m; 0 if nobody asks.
     double
@@ -61,16 +81,16 @@ namespace Sandglass
     }
 
   private:
-    const bool         is_writer;
-    const SiloMeasures measures;
-    const double       largest_stagnant_displacement;
+    const bool   is_writer;
+    const bool   has_open_outlet;
+    const double largest_stagnant_displacement;
 
-    /// For grains of 0, 0.1 and 0.2 outlet widths, in kg/s.
+    /// See FlowRateRow.
     std::array<double, 3> beverloo;
 
-    CsvFile  history_file;
-    CsvFile  flow_rate_file;
-    FlowRate flow_rate;
+    CsvTable<HistoryRow>  history_file;
+    CsvTable<FlowRateRow> flow_rate_file;
+    FlowRate              flow_rate;
 
     /// A row's time in s, and its slipping share of the walls.
     std::vector<std::pair<double, double>> slipping_samples;

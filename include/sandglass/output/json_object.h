@@ -1,7 +1,10 @@
 #ifndef sandglass_output_json_object_h
 #define sandglass_output_json_object_h
 
+#include <sandglass/base/table.h>
+
 #include <string>
+#include <vector>
 
 namespace Sandglass
 {
@@ -16,6 +19,16 @@ namespace Sandglass
     /// What isn't a finite number becomes null.
     void
     add(const std::string &name, const double value);
+
+    /// The keys of a table that such a source has.
+    template <typename Source>
+    void
+    add(const std::vector<Column<Source>> &keys, const Source &source)
+    {
+      for (const Column<Source> &key : columns_of(keys, source))
+        std::visit([&](const auto &value) { add(key.name, value); },
+                   value_of(key, source));
+    }
 
     std::string
     text() const

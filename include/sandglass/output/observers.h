@@ -1,18 +1,29 @@
 #ifndef sandglass_output_observers_h
 #define sandglass_output_observers_h
 
+#include <sandglass/flow/flow_view.h>
+#include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/output/background_task.h>
-#include <sandglass/output/checkpoint.h>
 #include <sandglass/output/history.h>
+#include <sandglass/output/particle_fields.h>
 #include <sandglass/output/progress.h>
 #include <sandglass/output/schedule.h>
+#include <sandglass/output/section_wall_tractions.h>
 #include <sandglass/output/summary.h>
 #include <sandglass/output/timing.h>
-#include <sandglass/output/wall_tractions.h>
-#include <sandglass/flow/updated_lagrangian/static_state.h>
+
+#include <string>
+#include <vector>
 
 namespace Sandglass
 {
+  /// What output shows of the state at rest.
+  struct AtRest
+  {
+    WallRecords  wall_records;
+    StaticEffort effort;
+  };
+
   /**
    * All that watches a run and writes what it sees into the output directory,
    * which prepare_output_directory() has made. What a scene or the parameters
@@ -20,13 +31,16 @@ namespace Sandglass
    *
    * Fields and walls are written beside the run; all other files are complete
    * after each call, and those when the next ones are due, or the run stops.
+   * Throws RunError where a file can't be written.
    */
+  template <int dim>
   class Observers
   {
   public:
-    /// @param timings  has the sections of Timing; these times are reported.
+    /// @param end_time  of the flow, in s.
+    /// @param timings   has the sections of Timing; these times are reported.
     Observers(const OutputParameters   &parameters,
-              const Scene              &scene,
+              const Scene<dim>         &scene,
               const MaterialParameters &material,
               const WallParameters     &walls,
               const double              end_time,
@@ -36,37 +50,50 @@ namespace Sandglass
     /**
      * Write the state at t = 0. Collective.
      *
-     * @param static_state  the state at rest, or a null pointer if it was not
-     *                      computed.
+     * @param at_rest  the state at rest, or a null pointer if it was not
+     *                 computed.
      */
     void
-    start(ParticleStage &stage, const StaticState *static_state);
+    start(const FlowView &view, const AtRest *at_rest);
+
+    /// Instead of start(): go on behind what observers had written when
+    /// archived() was called, in another process. Collective.
+    void
+    go_on_from(const std::string &archived, const FlowView &view);
 
     /**
-     * Instead of start(): put the stage into the state of a checkpoint, and go
-     * on behind what had been written until then. Collective.
+     * Instead of start(): go on behind what another partition's observers have
+     * written. Collective.
+     *
+     * @param view_before  of the other partition's flow, at the same time.
      */
     void
-    resume(ParticleStage &stage, const Checkpoint &checkpoint);
-
-    /// Instead of start(): go on behind what another partition's observers have
-    /// written. Collective.
-    void
-    go_on_from(Observers &before, ParticleStage &stage);
+    go_on_from(Observers      &before,
+               const FlowView &view_before,
+               const FlowView &view);
 
     /// Write what is due. Ranks wait for each other only if something is.
     void
-    after_step(ParticleStage &stage);
+    after_step(const FlowView &view);
 
-    /// Write the last state, the summary and the timing table. Collective.
+    /// Write the last state, unless it has been written. Collective.
     void
-    finish(ParticleStage &stage);
+    observe_end(const FlowView &view);
+
+    /// Write the summary and the timing table. Collective.
+    void
+    finish();
 
     /// Write the summary of a run that failed. Not collective.
     void
     finish_after_failure(const std::string &message);
 
-    /// What resume() needs to know.
+    /// All that go_on_from() needs; waits for the files that are being
+    /// written. Collective.
+    std::string
+    archived();
+
+    /// What go_on_from() needs to know.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -77,55 +104,55 @@ namespace Sandglass
     }
 
   private:
-    /// Go on behind what the archived observers have written. Collective.
+    /// All but the progress. Collective.
     void
-    go_on_from(const std::string &archived, ParticleStage &stage);
-    /// All that another object needs to go on. After finish_writing().
-    std::string
-    archived() const;
+    restore(const std::string &archived, const FlowView &view);
     /// Wait for the files that are being written. Collective.
     void
     finish_writing();
     /// Open all tables and time series. Collective.
     void
     open_files();
+    /// Of the whole silo and the whole process. Collective.
+    SiloTotals
+    totals(const FlowView &view) const;
     /// Collective.
     void
-    update_summary(const Clock &clock, const ParticleTotals &totals);
+    update_summary(const Clock &clock, const SiloTotals &totals);
     /// @param is_exact  find the critical step for these very positions.
     void
-    observe_history(ParticleStage &stage, const bool is_exact);
-    /// Write fields, and the walls' tractions unless there are none.
+    observe_history(const FlowView &view, const bool is_exact);
+    /// @param tractions  to be written too; empty: none.
     void
-    observe_fields(ParticleStage                &stage,
-                   const std::vector<WallForce> *wall_forces);
+    observe_fields(const FlowView &view, std::vector<WallTraction> tractions);
+    /// Since the last output; empty if nobody asks.
+    std::vector<WallTraction>
+    observe_walls(const FlowView &view);
     void
-    observe_checkpoint(ParticleStage &stage);
-    void
-    write_summary(const std::string &status) const;
+    write_summary(const std::string &status);
     /// Write the file; on one rank.
     void
-    write_summary_file(const std::string &status,
-                       const std::string &message) const;
+    write_summary_file(const std::string &status, const std::string &message);
 
-    const OutputParameters   &parameters;
-    const Scene              &scene;
-    const MaterialParameters &material;
-    const WallParameters     &walls;
-    const MPI_Comm            communicator;
-    const bool                is_writer;
-    Log                      &log;
-    TimerOutput              &timings;
+    const OutputParameters &parameters;
+    const MPI_Comm          communicator;
+    const double            symmetry_factor;
+    const Layers            layers;
+    const bool              is_writer;
+    Log                    &log;
+    TimerOutput            &timings;
 
-    Schedule history_times, field_times, checkpoint_times;
+    Schedule history_times, field_times;
     /// Step of the last output, so that the end is not written twice.
     unsigned long last_history_step = 0, last_field_step = 0;
+    /// Of this process' flows on other partitions.
+    unsigned long particle_steps_before = 0;
 
-    Summary       summary;
-    Progress      progress;
-    History       history;
-    FieldSeries   particles, grid;
-    WallTractions wall_tractions;
+    Summary            summary;
+    Progress           progress;
+    History            history;
+    FieldSeries        particles, grid;
+    WallTractions<dim> wall_tractions;
 
     /// Of particles, grid and wall_tractions, and so the first to go.
     BackgroundTask writing;

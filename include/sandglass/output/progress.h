@@ -1,9 +1,9 @@
 #ifndef sandglass_output_progress_h
 #define sandglass_output_progress_h
 
+#include <sandglass/flow/clock.h>
 #include <sandglass/output/log.h>
 #include <sandglass/output/timing.h>
-#include <sandglass/flow/clock.h>
 
 #include <chrono>
 

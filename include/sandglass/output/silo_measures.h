@@ -6,10 +6,11 @@
 namespace Sandglass
 {
   /// Lengths of the whole silo that formulas for silos ask for, in m.
+  template <int dim>
   struct SiloMeasures
   {
-    /// Taken from the edges of the scene's mesh.
-    explicit SiloMeasures(const Scene &scene);
+    /// Taken from the faces of the scene's mesh.
+    explicit SiloMeasures(const Scene<dim> &scene);
 
     /// Whether material can leave.
     bool has_open_outlet;
@@ -34,6 +35,9 @@ namespace Sandglass
     /// has this angle all over and begins at the foot of the vertical walls.
     double hopper_slope;
   };
+
+  template <>
+  SiloMeasures<2>::SiloMeasures(const Scene<2> &scene);
 } // namespace Sandglass
 
 #endif

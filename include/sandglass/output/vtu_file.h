@@ -35,11 +35,12 @@ namespace Sandglass
     /// Three coordinates for each point, in m.
     std::vector<double> points;
 
-    /// How many points a cell has: a dot, a line, a triangle or a
-    /// quadrilateral.
+    /// How many points a cell has, and how many dimensions: a dot, a line, a
+    /// triangle, a quadrilateral, a tetrahedron or a hexahedron.
     unsigned int points_per_cell = 1;
+    unsigned int cell_dimension  = 0;
 
-    /// Indices of the cells' points, counterclockwise.
+    /// Indices of the cells' points, in VTK's order.
     std::vector<std::int32_t> cells;
 
     std::vector<Field> point_fields;

@@ -14,6 +14,7 @@ namespace Sandglass
       run,
       validate,
       print_parameters,
+      print_outputs,
       print_help,
       print_version
     };

@@ -1,5 +1,3 @@
-#include <deal.II/numerics/data_out.h>
-
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
@@ -25,55 +23,6 @@ namespace Sandglass
                  "or a smaller 'Internal friction angle'.";
       return message.str();
     }
-
-
-
-    /**
-     * Guesses the displacement increment of the next load step from the last
-     * two. Without cohesion, displacement grows nearly in proportion to the
-     * weight, and how fast it grows changes nearly linearly.
-     */
-    class Predictor
-    {
-    public:
-      explicit Predictor(const DisplacementVector &zero)
-        : last(zero)
-        , before_last(zero)
-      {}
-
-      void
-      add(const double step, const DisplacementVector &increment)
-      {
-        std::swap(last, before_last);
-        before_last_step = last_step;
-        last             = increment;
-        last_step        = step;
-      }
-
-      /// Zero as long as no step is known.
-      DisplacementVector
-      predict(const double step) const
-      {
-        DisplacementVector increment = last;
-        if (before_last_step > 0.)
-          {
-            // between the middles of steps
-            const double distance = (step + last_step) / 2.;
-            const double weight =
-              distance / ((last_step + before_last_step) / 2.);
-            increment *= (1. + weight) * step / last_step;
-            increment.add(-weight * step / before_last_step, before_last);
-          }
-        else if (last_step > 0.)
-          increment *= step / last_step;
-        increment.update_ghost_values();
-        return increment;
-      }
-
-    private:
-      DisplacementVector last, before_last;
-      double             last_step = 0., before_last_step = 0.;
-    };
 
 
 
@@ -109,23 +58,36 @@ namespace Sandglass
                                 const StaticStageParameters &parameters,
                                 ConditionalOStream          &log)
     : scene(scene)
+    , material(material_parameters)
     , parameters(parameters)
     , log(log)
-    , grid(scene)
-    , equilibrium(make_equilibrium(grid,
+    , filled_grid(scene)
+    , equilibrium(make_equilibrium(filled_grid,
                                    scene.formulation,
                                    material_parameters,
                                    scene.gravity))
-    , contact(grid,
+    , contact(filled_grid,
               scene,
               wall_parameters,
               equilibrium->weight(),
               equilibrium->confined_modulus())
-    , solver(grid, *equilibrium, contact, parameters)
-    , displacement(grid.make_vector())
+    , solver(filled_grid, *equilibrium, contact, parameters)
+    , has_weight(equilibrium->weight().l2_norm() > 0.)
+    , load_step(1. / parameters.n_load_steps)
+    , displacement(filled_grid.make_vector())
+    , predictor(displacement)
   {
-    effort.n_unknowns = grid.dof_handler.n_dofs();
+    effort.n_unknowns = filled_grid.dof_handler.n_dofs();
     effort.is_direct  = solver.is_direct();
+  }
+
+
+
+  template <int dim>
+  bool
+  StaticStage<dim>::is_finished() const
+  {
+    return !has_weight || load_share >= 1. - 1e-12;
   }
 
 
@@ -134,38 +96,42 @@ namespace Sandglass
   StaticState<dim>
   StaticStage<dim>::run()
   {
-    if (equilibrium->weight().l2_norm() == 0.)
-      return make_state();
+    if (!is_finished())
+      log << "Static stage: " << effort.n_unknowns << " unknowns, "
+          << (effort.is_direct ? "direct solver" : "multigrid") << std::endl;
+    while (!is_finished())
+      step();
+    return make_state();
+  }
 
-    log << "Static stage: " << effort.n_unknowns << " unknowns, "
-        << (effort.is_direct ? "direct solver" : "multigrid") << std::endl;
-    const double largest_step = 1. / parameters.n_load_steps;
-    double       load = 0., step = largest_step;
-    Predictor    predictor(displacement);
-    while (load < 1. - 1e-12)
+
+
+  template <int dim>
+  void
+  StaticStage<dim>::step()
+  {
+    while (true)
       {
-        const double       this_step = std::min(step, 1. - load);
-        Vector             increment = predictor.predict(this_step);
-        const NewtonResult result =
-          solver.solve(displacement, load + this_step, increment);
+        const double       step      = std::min(load_step, 1. - load_share);
+        const double       goal      = load_share + step;
+        Vector             increment = predictor.predict(step);
+        const NewtonResult result = solver.solve(displacement, goal, increment);
 
-        count(load + this_step, result);
+        count(goal, result);
         if (result.has_converged)
           {
             accept(increment);
-            load += this_step;
-            predictor.add(this_step, increment);
-            step = std::min(2. * step, largest_step);
+            load_share = goal;
+            predictor.add(step, increment);
+            load_step = std::min(2. * load_step, 1. / parameters.n_load_steps);
+            ++time.step;
+            return;
           }
-        else
-          {
-            contact.restore();
-            step = this_step / 2.;
-            if (step < parameters.smallest_load_step)
-              throw RunError(failure_message(load + this_step, result));
-          }
+        contact.restore();
+        load_step = step / 2.;
+        if (load_step < parameters.smallest_load_step)
+          throw RunError(failure_message(goal, result));
       }
-    return make_state();
   }
 
 
@@ -208,10 +174,11 @@ namespace Sandglass
     state.effort      = effort;
 
     auto scene_cell = scene.triangulation.begin_active();
-    for (const auto &cell : grid.dof_handler.active_cell_iterators())
+    for (const auto &cell : filled_grid.dof_handler.active_cell_iterators())
       {
         // both run through the cells in the order of the Scene's mesh
-        const unsigned int index = grid.scene_cells[cell->active_cell_index()];
+        const unsigned int index =
+          filled_grid.scene_cells[cell->active_cell_index()];
         while (scene_cell->active_cell_index() < index)
           ++scene_cell;
         if (!cell->is_locally_owned())
@@ -225,60 +192,16 @@ namespace Sandglass
             result.displacement[v][d] =
               displacement[cell->vertex_dof_index(match[v], d)];
         // a quadrilateral's quadrature point q lies next to its vertex q
-        for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
+        for (unsigned int q = 0; q < filled_grid.quadrature.size(); ++q)
           {
-            const auto point =
-              equilibrium->point_state(grid.point_index(*cell, match[q]));
+            const auto point = equilibrium->point_state(
+              filled_grid.point_index(*cell, match[q]));
             result.stress[q]       = point.stress;
             result.volume_ratio[q] = point.volume_ratio;
             result.law_state[q]    = point.law_state;
           }
       }
     return state;
-  }
-
-
-
-  template <int dim>
-  void
-  StaticStage<dim>::write_vtu(const std::string &directory) const
-  {
-    const std::array<std::string, 5> names = {
-      {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "volume_ratio"}};
-    std::array<dealii::Vector<double>, names.size()> means;
-    means.fill(dealii::Vector<double>(grid.triangulation.n_active_cells()));
-    const unsigned int n_points = grid.quadrature.size();
-    for (const auto &cell : grid.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (unsigned int q = 0; q < n_points; ++q)
-          {
-            const unsigned int i = cell->active_cell_index();
-            const auto         point =
-              equilibrium->point_state(grid.point_index(*cell, q));
-            for (unsigned int c = 0; c < 4; ++c)
-              means[c][i] += point.stress[c] / n_points;
-            means[4][i] += point.volume_ratio / n_points;
-          }
-
-    DataOut<dim> data_out;
-    // The numbers' last digits are noise, on which more effort gains little.
-    DataOutBase::VtkFlags flags;
-    flags.compression_level = DataOutBase::VtkFlags::best_speed;
-    data_out.set_flags(flags);
-    data_out.attach_dof_handler(grid.dof_handler);
-    data_out.add_data_vector(
-      displacement,
-      std::vector<std::string>(dim, "displacement"),
-      DataOut<dim>::type_dof_data,
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
-    for (unsigned int c = 0; c < means.size(); ++c)
-      data_out.add_data_vector(means[c],
-                               names[c],
-                               DataOut<dim>::type_cell_data);
-    data_out.build_patches(grid.mapping);
-    data_out.write_vtu_in_parallel(directory + "/static.vtu",
-                                   scene.communicator);
   }
 
 

@@ -7,6 +7,9 @@
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
 #include <sandglass/material/material_parameters.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
 #include <functional>
 #include <memory>
 #include <vector>
@@ -75,6 +78,15 @@ namespace Sandglass
     /// @param index  see FilledGrid::point_index(); of FilledGrid::local_cells.
     virtual PointState
     point_state(const unsigned int index) const = 0;
+
+    /// Write the state at the start of a load step; complete on rank 0.
+    /// Collective.
+    virtual void
+    save(boost::archive::binary_oarchive &archive) const = 0;
+
+    /// Go back to what save() has written, on any number of ranks.
+    virtual void
+    load(boost::archive::binary_iarchive &archive) = 0;
 
     /// Modulus in Pa of uniaxial strain that no state of the law exceeds.
     virtual double

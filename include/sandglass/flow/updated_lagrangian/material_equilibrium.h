@@ -5,6 +5,8 @@
 
 #include <sandglass/flow/updated_lagrangian/equilibrium.h>
 
+#include <boost/serialization/array_wrapper.hpp>
+
 namespace Sandglass
 {
   /// Equilibrium of material of one law with one kinematics.
@@ -30,6 +32,21 @@ namespace Sandglass
       LawState<Law, double> law_state_before, law_state;
       /// Current over unloaded volume.
       double volume_ratio_before = 1., volume_ratio = 1.;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        for (auto *tensor : {&stress_before, &stress})
+          archive &boost::serialization::make_array(tensor->data(),
+                                                    tensor->size());
+        archive &boost::serialization::make_array(gradient.data(),
+                                                  gradient.size());
+        for (auto *numbers : {&law_state_before, &law_state})
+          archive &boost::serialization::make_array(numbers->data(),
+                                                    numbers->size());
+        archive &volume_ratio_before &volume_ratio;
+      }
     };
 
     /// @param density  of the unloaded material, in kg/m^3.
@@ -66,6 +83,12 @@ namespace Sandglass
               {point.law_state.begin(), point.law_state.end()}};
     }
 
+    void
+    save(boost::archive::binary_oarchive &archive) const override;
+
+    void
+    load(boost::archive::binary_iarchive &archive) override;
+
     double
     confined_modulus() const override
     {
@@ -87,6 +110,22 @@ namespace Sandglass
     /// Degrees of freedom of a cell's displacement.
     static constexpr int n_simplex_dofs = dim * (dim + 1);
     static constexpr int n_cube_dofs    = dim << dim;
+
+    /// All that is known at one quadrature point.
+    struct SavedPoint
+    {
+      unsigned int     index;
+      MaterialPoint    point;
+      GradientOperator gradient_operator;
+      double           volume;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &index &point &gradient_operator &volume;
+      }
+    };
 
     /// Add to the values at those of the cell's nodes that this rank owns.
     void
@@ -157,6 +196,7 @@ namespace Sandglass
   };
 } // namespace Sandglass
 
+#include <sandglass/flow/updated_lagrangian/equilibrium_checkpoint.templates.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.templates.h>
 
 #endif

@@ -3,41 +3,78 @@
 
 #include <deal.II/base/conditional_ostream.h>
 
-#include <sandglass/material/material_parameters.h>
+#include <sandglass/base/table.h>
+#include <sandglass/flow/flow.h>
 #include <sandglass/flow/updated_lagrangian/equilibrium.h>
+#include <sandglass/flow/updated_lagrangian/load_predictor.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
+#include <sandglass/material/material_parameters.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace Sandglass
 {
+  /// What static.vtu shows of a cell: means over its quadrature points.
+  struct StaticCell
+  {
+    std::array<double, 6> stress;       ///< in Pa
+    double                volume_ratio; ///< current over initial
+  };
+
+  /// Fields of static.vtu in cells, beside the displacement at nodes.
+  extern const std::vector<Column<StaticCell>> static_cell_table;
+
   /**
    * The state at rest under gravity with the outlet closed, by the updated
    * Lagrangian finite element method (paper, Section 5; doc/theory.md): load
    * steps of NewtonSolver, cut where they don't converge.
+   *
+   * As a flow it stands still in time: a step adds load, the walls' impulses
+   * are those of one second, and nothing moves.
    */
   template <int dim>
-  class StaticStage
+  class StaticStage : public Flow
   {
   public:
-    /// Logs the number of unknowns, and one line per load step.
-    StaticStage(const Scene<dim>                 &scene,
+    StaticStage(const Scene<dim>            &scene,
                 const MaterialParameters    &material_parameters,
                 const WallParameters        &wall_parameters,
                 const StaticStageParameters &parameters,
                 ConditionalOStream          &log);
 
-    /// Collective. Throws RunError where the smallest load step doesn't
-    /// converge.
+    /// All load steps from here on. Logs the number of unknowns, and one line
+    /// per load step. Collective. Throws RunError as step() does.
     StaticState<dim>
     run();
 
+    /// The next load step, cut until it converges. Collective. Throws RunError
+    /// where the smallest one doesn't.
+    void
+    step() override;
+
+    bool
+    is_finished() const override;
+
+    void
+    save(boost::archive::binary_oarchive &archive) const override;
+
+    void
+    load(boost::archive::binary_iarchive &archive) override;
+
+    /// Nothing: load steps are not what the scene's cells are shared out by.
+    std::vector<double>
+    cell_work() const override
+    {
+      return std::vector<double>(scene.triangulation.n_active_cells(), 0.);
+    }
+
     /**
-     * Write the result of run() to static.vtu, one file for all ranks:
-     * displacement (m), each cell's mean stress (Pa) and volume ratio.
+     * Write the result of run() to static.vtu, one file for all ranks.
      * Collective.
      */
     void
@@ -46,6 +83,46 @@ namespace Sandglass
   private:
     using Vector = DisplacementVector;
 
+    // What views show.
+
+    const Clock &
+    clock() const override
+    {
+      return time;
+    }
+
+    FlowTotals
+    totals() const override;
+
+    /// Infinite: there are no steps in time.
+    double
+    critical_time_step(const bool is_exact) const override;
+
+    WallArea
+    wall_area() const override;
+
+    WallRecords
+    wall_records() const override;
+
+    std::vector<StateVariable>
+    state_variables() const override;
+
+    /// None: material is in elements.
+    unsigned int
+    n_particles() const override
+    {
+      return 0;
+    }
+
+    void
+    for_each_particle(
+      const std::function<void(const ParticleRecord &)> &) const override
+    {}
+
+    /// The filled cells, undeformed.
+    GridRecords
+    grid() const override;
+
     /// Log a load step, and add it to the effort.
     void
     count(const double load_share, const NewtonResult &result);
@@ -53,17 +130,33 @@ namespace Sandglass
     accept(Vector &increment);
     StaticState<dim>
     make_state() const;
+    /// Mean of the state at a cell's quadrature points.
+    StaticCell
+    mean_state(const CellAccessor<dim> &cell) const;
+    using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
-    const Scene<dim>                 &scene;
+    /// Mass that the weight of a cell's node stands for, in kg; 0 without
+    /// gravity.
+    double
+    nodal_mass(const CellIterator &cell, const unsigned int vertex) const;
+
+    const Scene<dim>            &scene;
+    const MaterialParameters    &material;
     const StaticStageParameters &parameters;
     ConditionalOStream          &log;
 
-    const FilledGrid<dim>    grid;
+    const FilledGrid<dim>                   filled_grid;
     const std::unique_ptr<Equilibrium<dim>> equilibrium;
-    WallContact<dim>         contact;
-    NewtonSolver<dim>        solver;
-    Vector              displacement; ///< since the unloaded state
-    StaticEffort effort;
+    WallContact<dim>                        contact;
+    NewtonSolver<dim>                       solver;
+    const bool                              has_weight;
+
+    Clock         time;            ///< counts load steps
+    double        load_share = 0.; ///< of the whole weight
+    double        load_step;       ///< to be tried next, as such a share
+    Vector        displacement;    ///< since the unloaded state
+    LoadPredictor predictor;
+    StaticEffort  effort;
   };
 } // namespace Sandglass
 

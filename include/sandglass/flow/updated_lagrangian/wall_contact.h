@@ -6,6 +6,9 @@
 #include <sandglass/walls/corner.h>
 #include <sandglass/walls/wall_force.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
 #include <array>
 #include <vector>
 
@@ -113,6 +116,14 @@ namespace Sandglass
     /// Of the owned nodes.
     std::vector<WallForce<dim>>
     wall_forces() const;
+
+    /// Write what commit() has kept; complete on rank 0. Collective.
+    void
+    save(boost::archive::binary_oarchive &archive) const;
+
+    /// Go back to what save() has written, on any number of ranks.
+    void
+    load(boost::archive::binary_iarchive &archive);
 
   private:
     /// Contact with one support.

@@ -11,12 +11,12 @@ namespace Sandglass
     /// Extent of the edges of one role; empty if there are none.
     struct Extent
     {
-      Extent(const Mesh &mesh, const BoundaryRole role)
+      Extent(const Mesh<2> &mesh, const BoundaryRole role)
       {
         for (const auto &edge : mesh.faces)
           if (edge.role == role)
             for (const unsigned int vertex : edge.vertices)
-              for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int d = 0; d < 2; ++d)
                 {
                   lower[d] = std::min(lower[d], mesh.vertices[vertex][d]);
                   upper[d] = std::max(upper[d], mesh.vertices[vertex][d]);
@@ -38,7 +38,7 @@ namespace Sandglass
         return (lower[0] + upper[0]) / 2.;
       }
 
-      Point<dim> lower{infinity, infinity}, upper{-infinity, -infinity};
+      Point<2> lower{infinity, infinity}, upper{-infinity, -infinity};
     };
 
 
@@ -57,13 +57,13 @@ namespace Sandglass
 
     /// |dx / dy| of the hopper's edges, or NaN where they differ.
     double
-    common_slope(const Mesh &mesh)
+    common_slope(const Mesh<2> &mesh)
     {
       double slope = std::numeric_limits<double>::quiet_NaN();
       for (const auto &edge : mesh.faces)
         if (edge.role == BoundaryRole::hopper)
           {
-            const Tensor<1, dim> along =
+            const Tensor<1, 2> along =
               mesh.vertices[edge.vertices[1]] - mesh.vertices[edge.vertices[0]];
             const double of_edge = std::abs(along[0] / along[1]);
             if (std::isnan(slope))
@@ -77,11 +77,12 @@ namespace Sandglass
 
 
 
-  SiloMeasures::SiloMeasures(const Scene &scene)
+  template <>
+  SiloMeasures<2>::SiloMeasures(const Scene<2> &scene)
     : has_open_outlet(
         std::any_of(scene.mesh.faces.begin(),
                     scene.mesh.faces.end(),
-                    [](const Mesh::Face &edge) { return is_open(edge.role); }))
+                    [](const Mesh<2>::Face &edge) { return is_open(edge.role); }))
   {
     const Extent outlet(scene.mesh, BoundaryRole::outlet);
     const Extent wall(scene.mesh, BoundaryRole::wall);
@@ -99,7 +100,7 @@ namespace Sandglass
     hopper_slope = is_below_wall ? common_slope(scene.mesh) :
                                    std::numeric_limits<double>::quiet_NaN();
 
-    bottom_centre       = Point<dim>(0., scene.fill_bottom);
+    bottom_centre       = Point<2>(0., scene.fill_bottom);
     outlet_eccentricity = 0.;
     if (has_axis)
       return;

@@ -1,0 +1,159 @@
+#ifndef sandglass_output_section_wall_tractions_h
+#define sandglass_output_section_wall_tractions_h
+
+#include <sandglass/base/table.h>
+#include <sandglass/flow/flow_view.h>
+#include <sandglass/material/material_parameters.h>
+#include <sandglass/output/csv_file.h>
+#include <sandglass/output/eurocode_pressures.h>
+#include <sandglass/output/field_series.h>
+#include <sandglass/output/janssen.h>
+#include <sandglass/output/output_parameters.h>
+#include <sandglass/output/silo_measures.h>
+#include <sandglass/output/wall_lines.h>
+#include <sandglass/walls/wall_parameters.h>
+
+#include <boost/serialization/vector.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace Sandglass
+{
+  /// Force over area at one node of a section's wall, a mean over some time.
+  struct WallTraction
+  {
+    double           time;   ///< when the mean ends, in s
+    WallRecord       record; ///< the node's
+    BoundaryRole     role;
+    std::string_view wall_name;
+    WallLines::Place place;
+    Tensor<1, 3>     on_material; ///< of the wall, in Pa
+
+    double janssen_normal; ///< in Pa; NaN where Janssen says nothing
+    /// Likewise.
+    WallPressure eurocode_filling, eurocode_discharge;
+
+    /// In Pa, compression positive.
+    double
+    normal() const
+    {
+      return -(on_material * record.normal);
+    }
+
+    /// In Pa, along the wall's tangent that points up, or along +x where the
+    /// wall is horizontal: positive where the wall pushes material up.
+    double
+    tangential() const;
+  };
+
+  /// A quantity as a column of wall_traction.csv and as a field of walls.pvd.
+  struct WallQuantity
+  {
+    const char *column; ///< null: not in wall_traction.csv
+    const char *field;  ///< null: not in walls.pvd
+    const char *unit;   ///< SI; "1" for pure numbers, "" for texts
+    std::variant<double (*)(const WallTraction &),
+                 std::string (*)(const WallTraction &),
+                 Tensor<1, 3> (*)(const WallTraction &)>
+                value;
+    const char *meaning;
+  };
+
+  extern const std::vector<WallQuantity> wall_table;
+
+  /// Columns of wall_traction.csv.
+  std::vector<Column<WallTraction>>
+  wall_columns();
+
+  /// The walls as lines between their nodes, with the fields of walls.pvd.
+  VtuPiece
+  wall_fields(const std::vector<WallTraction> &tractions);
+
+  template <int dim>
+  class WallTractions;
+
+  /// Writes wall_traction.csv, and walls.pvd with the same values on lines.
+  template <>
+  class WallTractions<2>
+  {
+  public:
+    WallTractions(const OutputParameters   &parameters,
+                  const Scene<2>           &scene,
+                  const MaterialParameters &material,
+                  const WallParameters     &walls);
+
+    /// Open the files, after deserialization those of the earlier run.
+    void
+    open();
+
+    /**
+     * The tractions at t = 0 at all nodes of all walls, sorted by wall and
+     * along it, on rank 0; empty on the others. Collective.
+     *
+     * @param records  of the state at rest.
+     */
+    std::vector<WallTraction>
+    at_rest(const WallRecords &records) const;
+
+    /**
+     * Likewise the means since the last call or, the first time, since the
+     * flow's start. Collective.
+     *
+     * @param time  in s.
+     */
+    std::vector<WallTraction>
+    since_last(const double time, const WallRecords &records);
+
+    /// Write what one of these has returned at this time, in s.
+    void
+    write(const double time, const std::vector<WallTraction> &tractions);
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &table &series &last_time &last_impulses;
+    }
+
+  private:
+    /// A record, and where it lies on its wall.
+    struct PlacedRecord
+    {
+      WallRecord       record;
+      WallLines::Place place;
+    };
+
+    /// All ranks' records but those of the axis; sorted, on rank 0.
+    std::vector<PlacedRecord>
+    collect(const WallRecords &records) const;
+    /// @param force  mean of the wall's on the material, in N.
+    WallTraction
+    make_traction(const double        time,
+                  const PlacedRecord &placed,
+                  const Tensor<1, 3> &force) const;
+    BoundaryRole
+    role_of(const WallRecord &record) const;
+    double
+    janssen_pressure(const WallTraction &traction) const;
+    WallPressure
+    eurocode_pressure(const EurocodePressures::Load load,
+                      const WallTraction           &traction) const;
+
+    const Scene<2>         &scene;
+    const bool              is_writer;
+    const SiloMeasures<2>   measures;
+    const Janssen           janssen;
+    const EurocodePressures eurocode;
+    const WallLines         lines;
+    CsvTable<WallTraction>  table;
+    FieldSeries             series;
+
+    /// Sums of the flow when since_last() was called, on rank 0; in the order
+    /// of the tractions.
+    double                    last_time = 0.; ///< in s
+    std::vector<Tensor<1, 3>> last_impulses;  ///< in N s
+  };
+} // namespace Sandglass
+
+#endif

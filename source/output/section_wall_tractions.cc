@@ -1,0 +1,266 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/output/section_wall_tractions.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+
+namespace Sandglass
+{
+  namespace
+  {
+    Janssen
+    make_janssen(const OutputParameters   &parameters,
+                 const Scene<2>           &scene,
+                 const MaterialParameters &material,
+                 const WallParameters     &walls,
+                 const SiloMeasures<2>    &measures)
+    {
+      const double parts_of_width =
+        scene.formulation == Formulation::plane_strain ? 2. : 4.;
+      return {material.density * scene.gravity.norm(),
+              measures.wall_width / parts_of_width,
+              parameters.lateral_pressure_ratio > 0. ?
+                parameters.lateral_pressure_ratio :
+                Janssen::standard_lateral_pressure_ratio(
+                  material.internal_friction_angle),
+              std::tan(walls.friction_angle * numbers::PI / 180.)};
+    }
+
+
+
+    /// What one rank tells another about a record.
+    using Parcel = std::array<double, 12>;
+
+    Parcel
+    pack(const WallRecord &record)
+    {
+      const auto &x = record.position;
+      const auto &n = record.normal;
+      const auto &i = record.impulse;
+      return {{static_cast<double>(record.wall),
+               static_cast<double>(record.vertex),
+               x[0],
+               x[1],
+               x[2],
+               n[0],
+               n[1],
+               n[2],
+               record.area,
+               i[0],
+               i[1],
+               i[2]}};
+    }
+
+
+
+    WallRecord
+    unpack(const Parcel &parcel)
+    {
+      WallRecord record{};
+      record.wall   = static_cast<WallId>(parcel[0]);
+      record.vertex = static_cast<unsigned int>(parcel[1]);
+      record.area   = parcel[8];
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          record.position[d] = parcel[2 + d];
+          record.normal[d]   = parcel[5 + d];
+          record.impulse[d]  = parcel[9 + d];
+        }
+      return record;
+    }
+  } // namespace
+
+
+
+  double
+  WallTraction::tangential() const
+  {
+    Tensor<1, 3> tangent{{-record.normal[1], record.normal[0], 0.}};
+    const bool   points_down = tangent[1] < -1e-12;
+    const bool   points_left = std::abs(tangent[1]) <= 1e-12 && tangent[0] < 0.;
+    return (points_down || points_left ? -1. : 1.) * (on_material * tangent);
+  }
+
+
+
+  WallTractions<2>::WallTractions(const OutputParameters   &parameters,
+                                  const Scene<2>           &scene,
+                                  const MaterialParameters &material,
+                                  const WallParameters     &walls)
+    : scene(scene)
+    , is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
+    , measures(scene)
+    , janssen(make_janssen(parameters, scene, material, walls, measures))
+    , eurocode({scene.formulation,
+                measures.wall_width,
+                scene.fill_top - measures.wall_foot,
+                measures.outlet_eccentricity,
+                measures.hopper_slope,
+                material.internal_friction_angle},
+               janssen)
+    , lines(scene.mesh, scene.walls, measures.bottom_centre)
+    , table(parameters.directory + "/wall_traction.csv",
+            wall_columns(),
+            WallTraction())
+    , series(parameters.directory, "walls", MPI_COMM_SELF)
+  {}
+
+
+
+  void
+  WallTractions<2>::open()
+  {
+    if (!is_writer)
+      return;
+    table.open();
+    series.open();
+  }
+
+
+
+  BoundaryRole
+  WallTractions<2>::role_of(const WallRecord &record) const
+  {
+    return scene.walls[record.wall].role;
+  }
+
+
+
+  std::vector<WallTractions<2>::PlacedRecord>
+  WallTractions<2>::collect(const WallRecords &records) const
+  {
+    std::vector<Parcel> parcels;
+    for (const WallRecord &record : records.records)
+      if (is_wall(role_of(record)))
+        parcels.push_back(pack(record));
+
+    std::vector<PlacedRecord> result;
+    for (const auto &of_rank :
+         Utilities::MPI::gather(scene.communicator, parcels))
+      for (const Parcel &parcel : of_rank)
+        {
+          const WallRecord record = unpack(parcel);
+          result.push_back({record, lines.find(record.wall, record.vertex)});
+        }
+
+    const auto key = [this](const PlacedRecord &placed) {
+      const WallRecord &record = placed.record;
+      // Where a wall has a bend, a node has two records.
+      return std::make_tuple(role_of(record),
+                             record.wall,
+                             placed.place.line,
+                             placed.place.arc_length,
+                             record.normal[0],
+                             record.normal[1]);
+    };
+    std::sort(result.begin(),
+              result.end(),
+              [&key](const auto &a, const auto &b) { return key(a) < key(b); });
+    return result;
+  }
+
+
+
+  std::vector<WallTraction>
+  WallTractions<2>::at_rest(const WallRecords &records) const
+  {
+    std::vector<WallTraction> tractions;
+    for (const PlacedRecord &placed : collect(records))
+      tractions.push_back(
+        make_traction(0., placed, placed.record.impulse / records.time));
+    return tractions;
+  }
+
+
+
+  std::vector<WallTraction>
+  WallTractions<2>::since_last(const double time, const WallRecords &records)
+  {
+    const auto sorted = collect(records);
+    last_impulses.resize(sorted.size());
+
+    const double              duration = records.time - last_time;
+    std::vector<WallTraction> tractions;
+    for (unsigned int i = 0; i < sorted.size(); ++i)
+      {
+        const Tensor<1, 3> &impulse = sorted[i].record.impulse;
+        const Tensor<1, 3>  force   = duration > 0. ?
+                                        (impulse - last_impulses[i]) / duration :
+                                        Tensor<1, 3>();
+        tractions.push_back(make_traction(time, sorted[i], force));
+        last_impulses[i] = impulse;
+      }
+    last_time = records.time;
+    return tractions;
+  }
+
+
+
+  WallTraction
+  WallTractions<2>::make_traction(const double        time,
+                                  const PlacedRecord &placed,
+                                  const Tensor<1, 3> &force) const
+  {
+    const WallRecord &record = placed.record;
+    WallTraction      traction{};
+    traction.time           = time;
+    traction.record         = record;
+    traction.role           = role_of(record);
+    traction.wall_name      = scene.walls[record.wall].name;
+    traction.place          = placed.place;
+    traction.on_material    = force / record.area;
+    traction.janssen_normal = janssen_pressure(traction);
+    traction.eurocode_filling =
+      eurocode_pressure(EurocodePressures::Load::filling, traction);
+    traction.eurocode_discharge =
+      eurocode_pressure(EurocodePressures::Load::discharge, traction);
+    return traction;
+  }
+
+
+
+  double
+  WallTractions<2>::janssen_pressure(const WallTraction &traction) const
+  {
+    const double y     = traction.record.position[1];
+    const double depth = scene.fill_top - y;
+    if (traction.role == BoundaryRole::wall)
+      return janssen.horizontal_pressure(depth);
+    // The bottom of the vertical part, not that below a hopper.
+    const bool is_bottom = traction.role != BoundaryRole::hopper &&
+                           y > measures.wall_foot - 1e-6 * depth;
+    return is_bottom ? janssen.vertical_pressure(depth) :
+                       std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+
+  WallPressure
+  WallTractions<2>::eurocode_pressure(const EurocodePressures::Load load,
+                                      const WallTraction &traction) const
+  {
+    const double depth = scene.fill_top - traction.record.position[1];
+    return traction.role == BoundaryRole::wall ?
+             eurocode.on_wall(load, depth) :
+           traction.role == BoundaryRole::hopper ?
+             eurocode.on_hopper(load, depth) :
+             WallPressure();
+  }
+
+
+
+  void
+  WallTractions<2>::write(const double                     time,
+                          const std::vector<WallTraction> &tractions)
+  {
+    if (!is_writer)
+      return;
+    for (const WallTraction &traction : tractions)
+      table.add_row(traction);
+    table.flush();
+    series.write(time, wall_fields(tractions));
+  }
+} // namespace Sandglass

@@ -1,0 +1,195 @@
+#include <sandglass/output/summary.h>
+#include <sandglass/version.h>
+
+namespace Sandglass
+{
+  namespace
+  {
+    bool
+    has_static_effort(const Summary &summary)
+    {
+      return summary.static_effort.has_value();
+    }
+
+    bool
+    has_flow_rate(const Summary &summary)
+    {
+      return summary.has_flow_rate;
+    }
+  } // namespace
+
+
+
+  const std::vector<Column<Summary>> summary_table = {
+    {"status",
+     "",
+     [](const Summary &s) { return s.status; },
+     "`running`, `finished` or `failed`"},
+    {"message",
+     "",
+     [](const Summary &s) { return s.message; },
+     "of the error that ended the run",
+     [](const Summary &s) { return !s.message.empty(); }},
+    {"version",
+     "",
+     [](const Summary &s) { return std::string(SANDGLASS_VERSION); },
+     "of Sandglass"},
+    {"git_hash",
+     "",
+     [](const Summary &s) { return std::string(SANDGLASS_GIT_HASH); },
+     "of the commit that Sandglass was built from"},
+    {"ranks",
+     "1",
+     [](const Summary &s) { return static_cast<unsigned long>(s.n_ranks); },
+     "of MPI"},
+    {"particles",
+     "1",
+     [](const Summary &s) { return s.n_particles; },
+     "at the start"},
+    {"particles_now",
+     "1",
+     [](const Summary &s) { return s.totals.n_particles; },
+     "at the last row of `history.csv`; splitting makes more of them ([graded "
+     "meshes](graded-meshes.md)), and what has fallen out of the grid is gone"},
+    {"cells",
+     "1",
+     [](const Summary &s) { return s.n_cells; },
+     "of the whole mesh"},
+    {"steps",
+     "1",
+     [](const Summary &s) { return s.clock.step; },
+     "those before a restart too"},
+    {"particle_steps",
+     "1",
+     [](const Summary &s) { return s.totals.particle_steps; },
+     "particles times steps, since this process started"},
+    {"setup_seconds",
+     "s",
+     [](const Summary &s) { return s.seconds.set_up; },
+     "wall time of this process for mesh, grid and particles"},
+    {"static_seconds",
+     "s",
+     [](const Summary &s) { return s.seconds.static_stage; },
+     "for the static stage"},
+    {"loop_seconds",
+     "s",
+     [](const Summary &s) { return s.seconds.particle_loop; },
+     "for the steps"},
+    {"output_seconds",
+     "s",
+     [](const Summary &s) { return s.seconds.output; },
+     "for output"},
+    {"particle_steps_per_second",
+     "1/s",
+     [](const Summary &s) {
+       return s.totals.particle_steps / s.seconds.particle_loop;
+     },
+     "of the steps alone"},
+    {"static_unknowns",
+     "1",
+     [](const Summary &s) {
+       return static_cast<unsigned long>(s.static_effort->n_unknowns);
+     },
+     "of the static stage's equations; left out after a restart, as the next "
+     "three",
+     has_static_effort},
+    {"static_solver",
+     "",
+     [](const Summary &s) {
+       return std::string(s.static_effort->is_direct ? "direct" : "multigrid");
+     },
+     "how Newton's linear equations were solved: by factors (`direct`) or "
+     "`multigrid`",
+     has_static_effort},
+    {"static_newton_iterations",
+     "1",
+     [](const Summary &s) {
+       return static_cast<unsigned long>(s.static_effort->n_newton_iterations);
+     },
+     "in all load steps",
+     has_static_effort},
+    {"static_linear_iterations",
+     "1",
+     [](const Summary &s) {
+       return static_cast<unsigned long>(s.static_effort->n_linear_iterations);
+     },
+     "in all load steps",
+     has_static_effort},
+    {"peak_rss_MiB",
+     "MiB",
+     [](const Summary &s) { return s.peak_memory; },
+     "largest memory of the processes, summed over the ranks"},
+    {"mass_initial_kg",
+     "kg",
+     [](const Summary &s) { return s.initial_mass; },
+     "at t = 0"},
+    {"mass_in_silo_kg",
+     "kg",
+     [](const Summary &s) { return s.totals.mass_in_silo; },
+     "above the outlet level"},
+    {"mass_discharged_kg",
+     "kg",
+     [](const Summary &s) { return s.totals.mass_discharged(); },
+     "all that has passed the outlet level"},
+    {"mass_lost_kg",
+     "kg",
+     [](const Summary &s) { return s.totals.mass_lost; },
+     "that left the grid elsewhere than through the fall region's sides and "
+     "bottom"},
+    {"mass_balance_error",
+     "1",
+     [](const Summary &s) { return s.mass_balance_error(); },
+     "difference between the sum of these masses and the initial mass, over it"},
+    {"flow_rate_plateau_kg_per_s",
+     "kg/s",
+     [](const Summary &s) { return s.flow.plateau; },
+     "mean rate over the middle half of the discharged mass; as all that "
+     "follows up to `slipping_wall_share` where material can leave",
+     has_flow_rate},
+    {"steady_flow_start_s",
+     "s",
+     [](const Summary &s) { return s.flow.steady.start; },
+     "begin of the longest stretch of time in which the flow rate of "
+     "`flow_rate.csv` stays within 10 % of the middle between its largest and "
+     "smallest value there. Where it is much shorter than the discharge there "
+     "is no constant rate to speak of",
+     has_flow_rate},
+    {"steady_flow_end_s",
+     "s",
+     [](const Summary &s) { return s.flow.steady.end; },
+     "its end",
+     has_flow_rate},
+    {"steady_flow_rate_kg_per_s",
+     "kg/s",
+     [](const Summary &s) { return s.flow.steady.rate; },
+     "the mean rate over it",
+     has_flow_rate},
+    {"discharge_time_s",
+     "s",
+     [](const Summary &s) { return s.flow.discharge_time; },
+     "when 99.9 % of all that had left the silo by the end of the run had left "
+     "it. `null` if that is less than a `Output/Flow rate window` before the "
+     "end: then material still flows",
+     has_flow_rate},
+    {"residual_mass_kg",
+     "kg",
+     [](const Summary &s) { return s.residual_mass(); },
+     "what is left in the silo, once the flow has ended; else `null`",
+     has_flow_rate},
+    {"stagnant_mass_kg",
+     "kg",
+     [](const Summary &s) { return *s.flow.stagnant_mass; },
+     "the last one of `history.csv`, where that has it",
+     [](const Summary &s) {
+       return s.has_flow_rate && s.flow.stagnant_mass.has_value();
+     }},
+    {"slipping_wall_share",
+     "1",
+     [](const Summary &s) { return s.flow.slipping_wall_share; },
+     "mean over the middle half of the discharged mass",
+     has_flow_rate},
+    {"end_time_s",
+     "s",
+     [](const Summary &s) { return s.clock.time; },
+     "simulated time at the end"}};
+} // namespace Sandglass
