@@ -1,36 +1,16 @@
 #ifndef sandglass_choices_h
 #define sandglass_choices_h
 
-#include <sandglass/base/type_list.h>
-#include <sandglass/continuum/axisymmetric.h>
-#include <sandglass/continuum/plane_strain.h>
-#include <sandglass/material/drucker_prager.h>
-#include <sandglass/scene/cell_type.h>
+#include <sandglass/choices_table.h>
+#include <sandglass/continuum/formulation.h>
+
+#include <string>
 
 /**
  * @file
- * The one table of compile-time choices. What is not listed here is not
- * compiled, and not offered; what is listed is compiled with all others of its
- * dimension.
+ * The choice among what cmake/choices.cmake lists, the one table of compile-time
+ * choices.
  */
-
-namespace Sandglass
-{
-  /// How the grid's dimensions stand for space.
-  using AllKinematics = TypeList<PlaneStrain, Axisymmetric>;
-
-  /// Shapes of cells.
-  using AllCellTypes =
-    TypeList<CellTypeTag<CellType::triangle, 2>,
-             CellTypeTag<CellType::quadrilateral, 2>>;
-
-  /// Constitutive laws that Material/Model offers.
-  using AllLaws = TypeList<DruckerPrager>;
-} // namespace Sandglass
-
-/// Call `INSTANTIATE(dim)` for each space dimension of the table's kinematics:
-/// the source files that define templates on the dimension end with it.
-#define SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE) INSTANTIATE(2)
 
 namespace Sandglass
 {

@@ -8,12 +8,17 @@ namespace Sandglass
   {
     using Bounds = BoundedNumber;
 
+    const auto name = [](const auto law) -> std::string {
+      return decltype(law)::Type::name;
+    };
+    const auto description = [](const auto law) -> std::string {
+      return decltype(law)::Type::description;
+    };
     add_text(*this,
              "Model",
              model,
-             dealii::Patterns::Selection(names_of(AllLaws())),
-             "Constitutive law: cohesionless Drucker-Prager with "
-             "incompressible plastic flow.");
+             dealii::Patterns::Selection(join(AllLaws(), "|", name)),
+             "Constitutive law: " + join(AllLaws(), "; ", description) + ".");
     add_number(*this,
                "Density",
                density,

@@ -27,7 +27,6 @@ namespace Sandglass
     , observers(parameters.output,
                 scene,
                 parameters.material,
-                parameters.walls,
                 parameters.particle_stage.end_time,
                 log,
                 timings)

@@ -33,14 +33,14 @@ namespace Sandglass
             ...);
   }
 
-  /// The types' names, with | between them, as a pattern of values asks for.
-  template <typename... Types>
+  /// What `text(TypeTag<T>())` says of each type T, with `separator` between.
+  template <typename... Types, typename Text>
   std::string
-  names_of(TypeList<Types...>)
+  join(TypeList<Types...>, const std::string &separator, const Text &text)
   {
-    std::string names;
-    ((names += (names.empty() ? "" : "|") + std::string(Types::name)), ...);
-    return names;
+    std::string all;
+    ((all += (all.empty() ? "" : separator) + text(TypeTag<Types>())), ...);
+    return all;
   }
 } // namespace Sandglass
 

@@ -23,6 +23,9 @@ namespace Sandglass
   public:
     /// Value of the parameter Material/Model.
     static constexpr char name[] = "Drucker-Prager";
+    /// For the documentation of that parameter.
+    static constexpr char description[] =
+      "cohesionless Drucker-Prager with incompressible plastic flow";
 
     static constexpr std::array<StateVariable, 0> state_variables = {};
 

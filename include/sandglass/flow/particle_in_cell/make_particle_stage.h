@@ -8,8 +8,7 @@ namespace Sandglass
   /**
    * The particle stage of one kinematics and cell type, with the law that the
    * parameters name. Defined in make_particle_stage.templates.h and instantiated
-   * in one source file for each kinematics and cell type, so that these compile
-   * at the same time.
+   * by cmake/choices.cmake.
    */
   template <typename Kinematics, CellType cell_type>
   std::unique_ptr<DynamicFlow<Kinematics::dim>>

@@ -1,6 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_nodal_sums_h
 #define sandglass_flow_particle_in_cell_nodal_sums_h
 
+#include <sandglass/base/own_function.h>
 #include <sandglass/flow/particle_in_cell/cell_integration.h>
 #include <sandglass/flow/particle_in_cell/sums_by_cell.h>
 
@@ -44,7 +45,7 @@ namespace Sandglass
      *                         and stiffness; a null pointer leaves these 0.
      */
     template <typename ModulusOfCell>
-    void
+    SANDGLASS_OWN_FUNCTION void
     scatter(const Blocks       &blocks,
             const ModulusOfCell modulus_of_cell,
             NodalSumField<dim> &sums) const
@@ -76,7 +77,7 @@ namespace Sandglass
      * momentum = S^T M_d V of the particles after step 6, V += dt S a: that of
      * before plus dt M a with the consistent mass matrix. Collective.
      */
-    void
+    SANDGLASS_OWN_FUNCTION void
     map_momentum(const Blocks          &blocks,
                  const NodalField<dim> &acceleration,
                  const double           time_step,
@@ -101,7 +102,7 @@ namespace Sandglass
      *
      * @return this rank's share of field^T M field.
      */
-    double
+    SANDGLASS_OWN_FUNCTION double
     multiply_by_mass(const Blocks          &blocks,
                      const NodalField<dim> &field,
                      NodalField<dim>       &product) const

@@ -60,7 +60,7 @@ namespace Sandglass
      *
      * @param sums  of the particles' present positions, as the own ones.
      */
-    void
+    SANDGLASS_OWN_FUNCTION void
     compute(const Blocks             &blocks,
             const NodalSums<Setting> &sums,
             const NodalField<dim>    &velocity)

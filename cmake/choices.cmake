@@ -1,0 +1,73 @@
+# The one table of compile-time choices. What is not listed is not compiled, and
+# not offered; what is listed is compiled with all others of its dimension, each
+# kinematics with each cell type in a file of its own, so that they compile at
+# the same time.
+
+# How the grid's dimensions stand for space: dimension and class, which
+# include/sandglass/continuum has in a file of its name.
+set(choices_of_kinematics
+  "2 PlaneStrain"
+  "2 Axisymmetric")
+
+# Shapes of cells: dimension and value of CellType.
+set(choices_of_cell_types
+  "2 triangle"
+  "2 quadrilateral")
+
+# Constitutive laws that Material/Model offers: the class, which
+# include/sandglass/material has in a file of its name.
+set(choices_of_laws
+  DruckerPrager)
+
+
+# --- What follows from it ------------------------------------------------------
+
+# PlaneStrain -> plane_strain
+function(sandglass_file_of result class)
+  string(REGEX REPLACE "([a-z])([A-Z])" "\\1_\\2" name ${class})
+  string(TOLOWER ${name} name)
+  set(${result} ${name} PARENT_SCOPE)
+endfunction()
+
+set(choices_includes "")
+set(choices_dimensions "")
+set(kinematics_list "")
+set(cell_type_list "")
+foreach(law ${choices_of_laws})
+  sandglass_file_of(file ${law})
+  string(APPEND choices_includes "#include <sandglass/material/${file}.h>\n")
+endforeach()
+foreach(entry ${choices_of_kinematics})
+  string(REPLACE " " ";" entry ${entry})
+  list(GET entry 0 dimension)
+  list(GET entry 1 kinematics)
+  list(APPEND choices_dimensions ${dimension})
+  list(APPEND kinematics_list ${kinematics})
+  sandglass_file_of(file ${kinematics})
+  string(APPEND choices_includes "#include <sandglass/continuum/${file}.h>\n")
+
+  foreach(cells ${choices_of_cell_types})
+    string(REPLACE " " ";" cells ${cells})
+    list(GET cells 0 cells_dimension)
+    list(GET cells 1 cell_type)
+    if(dimension EQUAL cells_dimension)
+      set(source ${PROJECT_BINARY_DIR}/source/particle_stage_${file}_${cell_type}.cc)
+      configure_file(${CMAKE_CURRENT_LIST_DIR}/particle_stage.cc.in ${source} @ONLY)
+      list(APPEND choices_sources ${source})
+    endif()
+  endforeach()
+endforeach()
+foreach(cells ${choices_of_cell_types})
+  string(REPLACE " " ";" cells ${cells})
+  list(GET cells 0 dimension)
+  list(GET cells 1 cell_type)
+  list(APPEND cell_type_list "CellTypeTag<CellType::${cell_type}, ${dimension}>")
+endforeach()
+list(REMOVE_DUPLICATES choices_dimensions)
+list(TRANSFORM choices_dimensions REPLACE "(.+)" "INSTANTIATE(\\1)")
+list(JOIN choices_dimensions " " choices_dimensions)
+list(JOIN kinematics_list ", " choices_kinematics)
+list(JOIN cell_type_list ", " choices_cell_types)
+list(JOIN choices_of_laws ", " choices_laws)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/choices_table.h.in
+  ${PROJECT_BINARY_DIR}/include/sandglass/choices_table.h @ONLY)
