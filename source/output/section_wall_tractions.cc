@@ -39,7 +39,11 @@ namespace Sandglass
                 parameters.lateral_pressure_ratio :
                 Janssen::standard_lateral_pressure_ratio(
                   material.internal_friction_angle),
+<<<<<<< HEAD
+              std::tan(walls.friction_angle * numbers::PI / 180.)};
+=======
               friction_coefficient(scene, BoundaryRole::wall).value_or(0.)};
+>>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
     }
   } // namespace
 

@@ -53,8 +53,12 @@ namespace
     make_stage()
     {
       fixture.parameters.check();
-      scene = std::make_unique<Scene<2>>(
-        mesh, Formulation::plane_strain, 4, fixture.gravity, MPI_COMM_WORLD);
+      scene = std::make_unique<Scene<2>>(mesh,
+                                         fixture.walls,
+                                         Formulation::plane_strain,
+                                         4,
+                                         fixture.gravity,
+                                         MPI_COMM_WORLD);
       return std::make_unique<Stage>(*scene,
                                      fixture.material,
                                      fixture.walls,
@@ -169,8 +173,12 @@ TEST_F(LawWithState, rest_asks_the_law)
   rectangle.n_y  = 8;
   rectangle.left = rectangle.right = BoundaryRole::axis;
   mesh                             = rectangle.mesh();
-  scene                            = std::make_unique<Scene<2>>(
-    mesh, Formulation::plane_strain, 4, fixture.gravity, MPI_COMM_WORLD);
+  scene                            = std::make_unique<Scene<2>>(mesh,
+                                     fixture.walls,
+                                     Formulation::plane_strain,
+                                     4,
+                                     fixture.gravity,
+                                     MPI_COMM_WORLD);
   const FilledGrid<2>                            grid(*scene);
   MaterialEquilibrium<PlaneStrain, VoidRatioLaw> equilibrium(
     grid,
@@ -178,7 +186,7 @@ TEST_F(LawWithState, rest_asks_the_law)
     fixture.material.density,
     fixture.gravity);
   WallContact<2>              contact(grid,
-                         Formulation::plane_strain,
+                         *scene,
                          fixture.walls,
                          equilibrium.weight(),
                          equilibrium.confined_modulus());
