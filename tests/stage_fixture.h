@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "rectangle_mesh.h"
-#include "wall_role.h"
+#include "walls_of_scene.h"
 
 /// As in the parameter file.
 inline const char *
@@ -54,7 +54,7 @@ struct MeanWallForce
   dealii::Point<2>     position;
   Sandglass::WallId    wall;   ///< see is_role()
   dealii::Tensor<1, 2> normal; ///< outward from the material
-  double               tributary_area;
+  double               area;
   dealii::Tensor<1, 2> force; ///< in N
 
   /// Compression positive.
@@ -109,7 +109,7 @@ struct StageFixture
     stage.reset();
     parameters.check();
     scene = std::make_unique<Sandglass::Scene<2>>(
-      mesh, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
+      mesh, walls, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
     stage.reset(&dynamic_cast<Stage &>(
       *Sandglass::make_flow<2>(*scene, material, walls, parameters).release()));
     last_records = stage->view().wall_records();
@@ -184,7 +184,7 @@ struct StageFixture
     });
   }
 
-  /// Mean forces of the walls and the axis since the last call, or the start;
+  /// Mean forces of the walls since the last call, or the start;
   /// zero if no time has passed.
   std::vector<MeanWallForce>
   take_mean_forces()
@@ -196,8 +196,8 @@ struct StageFixture
       {
         const auto   &record = records.records[i];
         MeanWallForce force{};
-        force.wall           = record.wall;
-        force.tributary_area = record.area;
+        force.wall = record.wall;
+        force.area = record.area;
         for (unsigned int d = 0; d < 2; ++d)
           {
             force.position[d] = record.position[d];

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "rectangle_mesh.h"
-#include "wall_role.h"
+#include "walls_of_scene.h"
 
 /**
  * The static stage on any mesh, with all parameters at hand before run().
@@ -48,7 +48,7 @@ struct StaticFixture
       const MPI_Comm            communicator = MPI_COMM_WORLD)
   {
     scene = std::make_unique<Sandglass::Scene<2>>(
-      mesh, formulation, 4, gravity, communicator);
+      mesh, walls, formulation, 4, gravity, communicator);
     dealii::ConditionalOStream log(log_text);
     Sandglass::StaticStage<2>  stage(*scene, material, walls, parameters, log);
     state = stage.run();
@@ -126,8 +126,7 @@ struct StaticFixture
   {
     double sum = 0.;
     for (const auto &force : state.wall_forces)
-      sum += -force.normal_force * force.normal[1] +
-             force.tangential_force * Sandglass::wall_tangent(force.normal)[1];
+      sum += force.force[1];
     return sum;
   }
 };

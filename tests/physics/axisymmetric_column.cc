@@ -137,7 +137,7 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
     fixture.stage->step();
   double largest = 0., lateral_force = 0.;
   for (const MeanWallForce &force : fixture.take_mean_forces())
-    if (is_role(force.wall, BoundaryRole::wall))
+    if (is_role(*fixture.scene, force.wall, BoundaryRole::wall))
       {
         EXPECT_NEAR(force.tangential_force() / (scale * radius), 0., 1e-14);
         lateral_force += force.normal_force();
@@ -148,7 +148,7 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
         const double expected = 0.3 / 0.7 * unit_weight * (height - y);
         largest =
           std::max(largest,
-                   std::abs(force.normal_force() / force.tributary_area -
+                   std::abs(force.normal_force() / force.area -
                             expected) /
                      scale);
       }
