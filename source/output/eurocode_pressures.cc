@@ -43,11 +43,20 @@ namespace Sandglass
 
 
 
+  double
+  EurocodePressures::hopper_friction() const
+  {
+    return silo.hopper_friction_coefficient.value_or(
+      janssen.friction_coefficient);
+  }
+
+
+
   bool
   EurocodePressures::has_steep_hopper() const
   {
     // False for NaN.
-    return 2. * janssen.friction_coefficient * silo.hopper_slope <
+    return 2. * hopper_friction() * silo.hopper_slope <
            1. - janssen.lateral_pressure_ratio;
   }
 
@@ -104,7 +113,7 @@ namespace Sandglass
   double
   EurocodePressures::hopper_ratio(const Load load) const
   {
-    const double mu = janssen.friction_coefficient;
+    const double mu = hopper_friction();
     if (load == Load::filling) // Section 6.3.2, with mu = 0 allowed
       return 1. - hopper_coefficient * mu / (mu + silo.hopper_slope);
 
@@ -129,7 +138,7 @@ namespace Sandglass
     if ((!is_slender() && !is_intermediate()) || !has_steep_hopper())
       return {};
 
-    const double mu = janssen.friction_coefficient;
+    const double mu = hopper_friction();
     const double s  = silo.formulation == Formulation::plane_strain ? 1. : 2.;
     const double ratio = hopper_ratio(load);
     // The exponent that keeps each slice of the hopper in equilibrium. It is

@@ -16,7 +16,6 @@ namespace Sandglass
   Observers<dim>::Observers(const OutputParameters   &parameters,
                             const Scene<dim>         &scene,
                             const MaterialParameters &material,
-                            const WallParameters     &walls,
                             const double              end_time,
                             Log                      &log,
                             TimerOutput              &timings)
@@ -33,7 +32,7 @@ namespace Sandglass
     , history(parameters, scene, material)
     , particles(parameters.directory, "particles", communicator)
     , grid(parameters.directory, "grid", communicator)
-    , wall_tractions(parameters, scene, material, walls)
+    , wall_tractions(parameters, scene, material)
   {
     summary.n_ranks       = Utilities::MPI::n_mpi_processes(communicator);
     summary.n_cells       = scene.triangulation.n_active_cells();

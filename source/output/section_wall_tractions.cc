@@ -1,21 +1,34 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/output/section_wall_tractions.h>
+#include <sandglass/walls/section_tangent.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace Sandglass
 {
   namespace
   {
+    /// tan(friction angle) of the first wall of a role; none without one.
+    std::optional<double>
+    friction_coefficient(const Scene<2> &scene, const BoundaryRole role)
+    {
+      for (const Wall<2> &wall : scene.walls)
+        if (wall.role == role)
+          return wall.friction_coefficient;
+      return {};
+    }
+
+
+
     Janssen
     make_janssen(const OutputParameters   &parameters,
                  const Scene<2>           &scene,
                  const MaterialParameters &material,
-                 const WallParameters     &walls,
                  const SiloMeasures<2>    &measures)
     {
       const double parts_of_width =
@@ -26,7 +39,7 @@ namespace Sandglass
                 parameters.lateral_pressure_ratio :
                 Janssen::standard_lateral_pressure_ratio(
                   material.internal_friction_angle),
-              walls.friction_coefficient()};
+              friction_coefficient(scene, BoundaryRole::wall).value_or(0.)};
     }
 
 
@@ -78,30 +91,29 @@ namespace Sandglass
   double
   WallTraction::tangential() const
   {
-    Tensor<1, 3> tangent{{-record.normal[1], record.normal[0], 0.}};
-    const bool   points_down = tangent[1] < -1e-12;
-    const bool   points_left = std::abs(tangent[1]) <= 1e-12 && tangent[0] < 0.;
-    return (points_down || points_left ? -1. : 1.) * (on_material * tangent);
+    const Tensor<1, 2> tangent =
+      wall_tangent(Tensor<1, 2>({record.normal[0], record.normal[1]}));
+    return on_material[0] * tangent[0] + on_material[1] * tangent[1];
   }
 
 
 
   WallTractions<2>::WallTractions(const OutputParameters   &parameters,
                                   const Scene<2>           &scene,
-                                  const MaterialParameters &material,
-                                  const WallParameters     &walls)
+                                  const MaterialParameters &material)
     : scene(scene)
     , is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
     , measures(scene)
-    , janssen(make_janssen(parameters, scene, material, walls, measures))
+    , janssen(make_janssen(parameters, scene, material, measures))
     , eurocode({scene.formulation,
                 measures.wall_width,
                 scene.fill_top - measures.wall_foot,
                 measures.outlet_eccentricity,
                 measures.hopper_slope,
-                material.internal_friction_angle},
+                material.internal_friction_angle,
+                friction_coefficient(scene, BoundaryRole::hopper)},
                janssen)
-    , lines(scene.mesh, measures.bottom_centre)
+    , lines(scene.mesh, scene.walls, measures.bottom_centre)
     , table(parameters.directory + "/wall_traction.csv",
             wall_columns(),
             WallTraction())
@@ -121,21 +133,12 @@ namespace Sandglass
 
 
 
-  BoundaryRole
-  WallTractions<2>::role_of(const WallRecord &record) const
-  {
-    return scene.walls[record.wall].role;
-  }
-
-
-
   std::vector<WallTractions<2>::PlacedRecord>
   WallTractions<2>::collect(const WallRecords &records) const
   {
     std::vector<PackedRecord> parcels;
     for (const WallRecord &record : records.records)
-      if (is_wall(role_of(record)))
-        parcels.push_back(pack(record));
+      parcels.push_back(pack(record));
 
     std::vector<PlacedRecord> result;
     for (const auto &of_rank :
@@ -149,7 +152,7 @@ namespace Sandglass
     const auto key = [this](const PlacedRecord &placed) {
       const WallRecord &record = placed.record;
       // Where a wall has a bend, a node has two records.
-      return std::make_tuple(role_of(record),
+      return std::make_tuple(scene.walls[record.wall].role,
                              record.wall,
                              placed.place.line,
                              placed.place.arc_length,

@@ -44,17 +44,6 @@ namespace Sandglass
       {"Output", "Progress interval"},
       {"Output", "Checkpoint interval"}};
 
-    bool
-    is_free(const Fingerprint::Setting &setting)
-    {
-      return std::any_of(std::begin(free_parameters),
-                         std::end(free_parameters),
-                         [&setting](const FreeParameter &parameter) {
-                           return setting.section == parameter.section &&
-                                  setting.name == parameter.name;
-                         });
-    }
-
 
 
     /// Its words, numbers among them in one way of writing them.
@@ -108,7 +97,7 @@ namespace Sandglass
     {
       for (const Fingerprint::Setting &setting : settings)
         {
-          if (is_free(setting))
+          if (is_free_on_restart(setting.section, setting.name))
             continue;
           const auto other =
             std::find_if(others.begin(),
@@ -134,6 +123,19 @@ namespace Sandglass
   {
     for (const DeclaredParameter &parameter : declared_parameters(prm))
       settings.push_back({parameter.section, parameter.name, parameter.value});
+  }
+
+
+
+  bool
+  is_free_on_restart(const std::string &section, const std::string &name)
+  {
+    return std::any_of(std::begin(free_parameters),
+                       std::end(free_parameters),
+                       [&](const FreeParameter &parameter) {
+                         return section == parameter.section &&
+                                name == parameter.name;
+                       });
   }
 
 

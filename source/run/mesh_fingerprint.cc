@@ -40,6 +40,18 @@ namespace Sandglass
 
 
 
+    /// Of the part of the boundary to which a face belongs.
+    template <int dim>
+    std::string
+    name_of(const Mesh<dim> &mesh, const typename Mesh<dim>::Face &face)
+    {
+      return face.named_wall == Mesh<dim>::standard_part ?
+               std::string(Sandglass::name_of(face.role)) :
+               mesh.named_walls[face.named_wall];
+    }
+
+
+
     template <int dim>
     std::size_t
     hash_boundary(const Mesh<dim> &mesh)
@@ -49,7 +61,7 @@ namespace Sandglass
         {
           for (unsigned int v = 0; v < mesh.vertices_per_face(); ++v)
             boost::hash_combine(seed, face.vertices[v]);
-          boost::hash_combine(seed, static_cast<unsigned int>(face.role));
+          boost::hash_combine(seed, name_of(mesh, face));
         }
       return seed;
     }
@@ -74,7 +86,7 @@ namespace Sandglass
     {
       std::map<std::string, unsigned int> count;
       for (const auto &face : mesh.faces)
-        ++count[std::string(name_of(face.role))];
+        ++count[name_of(mesh, face)];
       std::ostringstream text;
       for (const auto &[name, n] : count)
         text << (text.tellp() > 0 ? ", " : "") << name << ' ' << n;

@@ -13,6 +13,7 @@ namespace Sandglass
                   Log                             &log,
                   TimerOutput                     &timings)
     : scene(mesh,
+            parameters.walls,
             parameters.scene.formulation,
             parameters.scene.particles_per_cell,
             parameters.scene.gravity_vector<dim>(),
@@ -26,7 +27,6 @@ namespace Sandglass
     , observers(parameters.output,
                 scene,
                 parameters.material,
-                parameters.walls,
                 parameters.particle_stage.end_time,
                 log,
                 timings)

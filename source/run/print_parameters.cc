@@ -1,4 +1,5 @@
 #include <sandglass/run/declared_parameters.h>
+#include <sandglass/run/fingerprint.h>
 #include <sandglass/run/markdown.h>
 #include <sandglass/run/parameter_file.h>
 
@@ -15,8 +16,9 @@ namespace Sandglass
     {
       std::ostringstream text;
       text << "# Parameters\n\nWritten by `sandglass --print-parameters md`.\n";
+      const auto  parameters = declared_parameters(prm);
       std::string section;
-      for (const DeclaredParameter &parameter : declared_parameters(prm))
+      for (const DeclaredParameter &parameter : parameters)
         {
           if (parameter.section != section)
             text << "\n## " << parameter.section << "\n\n"
@@ -28,6 +30,12 @@ namespace Sandglass
                                 parameter.pattern,
                                 parameter.documentation});
         }
+      text << "\n## Free to change on a restart\n\n"
+              "`End time` to one later than the checkpoint's time. With a "
+              "change of any other parameter `--restart` is refused.\n\n";
+      for (const DeclaredParameter &parameter : parameters)
+        if (is_free_on_restart(parameter.section, parameter.name))
+          text << "- " << parameter.section << '/' << parameter.name << '\n';
       return text.str();
     }
   } // namespace

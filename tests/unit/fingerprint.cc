@@ -10,7 +10,7 @@ using namespace Sandglass;
 namespace
 {
   /// Two parameters, one of them in a section that nobody knows yet.
-  struct Handler : ParameterHandler
+  struct Handler : dealii::ParameterHandler
   {
     Handler(const std::string &size, const std::string &quantity)
     {

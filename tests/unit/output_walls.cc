@@ -10,18 +10,30 @@ using namespace Sandglass;
 
 namespace
 {
+  WallId
+  wall_of(const Scene<2> &scene, const BoundaryRole role)
+  {
+    WallId wall = 0;
+    while (scene.walls.at(wall).role != role)
+      ++wall;
+    return wall;
+  }
+
+
+
   TEST(WallLines, lengths_of_half_a_silo)
   {
     SmallSilo       silo;
     const SmallRun  run(silo);
     const WallLines lines(run.scene.mesh,
+                          run.scene.walls,
                           SiloMeasures<2>(run.scene).bottom_centre);
     const auto      arc_length =
       [&](const BoundaryRole role, const double x, const double y) {
         unsigned int vertex = 0;
         while (run.scene.mesh.vertices[vertex].distance(Point<2>(x, y)) > 1e-9)
           ++vertex;
-        return lines.find(boundary_id(role), vertex).arc_length;
+        return lines.find(wall_of(run.scene, role), vertex).arc_length;
       };
     EXPECT_NEAR(arc_length(BoundaryRole::floor, 0.2, 0.), 0.0, 1e-12);
     EXPECT_NEAR(arc_length(BoundaryRole::floor, 0.4, 0.), 0.2, 1e-12);
@@ -41,10 +53,14 @@ namespace
     mesh.faces    = {{{{3, 2}}, BoundaryRole::hopper},
                      {{{2, 0}}, BoundaryRole::hopper},
                      {{{4, 1}}, BoundaryRole::hopper}};
-    const WallLines lines(mesh, Point<2>(0.1, 0.));
-    const auto     &left_end = lines.find(boundary_id(BoundaryRole::hopper), 3);
+    const WallId    hopper = 0;
+    const WallLines lines(
+      mesh,
+      {{"hopper", BoundaryRole::hopper, boundary_id(BoundaryRole::hopper)}},
+      Point<2>(0.1, 0.));
+    const auto &left_end = lines.find(hopper, 3);
     EXPECT_NEAR(left_end.arc_length, std::sqrt(5.) + 1., 1e-12);
-    const auto &right_end = lines.find(boundary_id(BoundaryRole::hopper), 4);
+    const auto &right_end = lines.find(hopper, 4);
     EXPECT_NEAR(right_end.arc_length, 5., 1e-12);
     EXPECT_EQ(right_end.line, 0);
     EXPECT_EQ(left_end.line, 1);
@@ -89,10 +105,7 @@ namespace
   {
     SmallSilo              silo;
     SmallRun               run(silo);
-    const WallTractions<2> observer(silo.output,
-                                    run.scene,
-                                    silo.material,
-                                    silo.walls);
+    const WallTractions<2> observer(silo.output, run.scene, silo.material);
     const auto tractions = observer.at_rest(make_records(run, 1000., -50.));
 
     // 9 nodes on the wall, 3 on the floor; none on axis and open outlet
@@ -115,10 +128,7 @@ namespace
   {
     SmallSilo        silo;
     SmallRun         run(silo);
-    WallTractions<2> observer(silo.output,
-                              run.scene,
-                              silo.material,
-                              silo.walls);
+    WallTractions<2> observer(silo.output, run.scene, silo.material);
     WallRecords      records = make_records(run, 1000., 20.);
     records.time             = 0.5;
     for (const auto &traction : observer.since_last(0.5, records))
@@ -142,10 +152,7 @@ namespace
     SmallSilo silo;
     silo.output.lateral_pressure_ratio = 0.5;
     SmallRun               run(silo);
-    const WallTractions<2> observer(silo.output,
-                                    run.scene,
-                                    silo.material,
-                                    silo.walls);
+    const WallTractions<2> observer(silo.output, run.scene, silo.material);
     const auto   tractions = observer.at_rest(make_records(run, 1., 0.));
     const double gamma     = 1500. * 9.81;
     const double mu        = std::tan(20. * numbers::PI / 180.);
@@ -168,10 +175,7 @@ namespace
     silo.scene.hopper_height  = 0.2;
     silo.scene.outlet_is_open = false;
     SmallRun               run(silo);
-    const WallTractions<2> observer(silo.output,
-                                    run.scene,
-                                    silo.material,
-                                    silo.walls);
+    const WallTractions<2> observer(silo.output, run.scene, silo.material);
     const auto tractions = observer.at_rest(make_records(run, 1., 0.));
     EXPECT_TRUE(std::any_of(tractions.begin(),
                             tractions.end(),
@@ -192,21 +196,19 @@ namespace
     silo.scene.wall_height             = 1.7;
     silo.scene.hopper_height           = 0.4;
     silo.output.lateral_pressure_ratio = 0.5;
-    const Janssen           janssen{1500. * 9.81,
-                          0.4,
-                          0.5,
-                          silo.walls.friction_coefficient()};
+    silo.walls.hopper_friction_angle   = 15.;
+    const auto mu                      = [](const double angle) {
+      return std::tan(angle * numbers::PI / 180.);
+    };
+    const Janssen           janssen{1500. * 9.81, 0.4, 0.5, mu(20.)};
     const EurocodePressures expected(
-      {Formulation::plane_strain, 0.8, 1.7, 0., 0.5, 25.}, janssen);
+      {Formulation::plane_strain, 0.8, 1.7, 0., 0.5, 25., mu(15.)}, janssen);
     for (const double eccentricity : {0., 0.1})
       {
         silo.scene.is_symmetric        = eccentricity == 0.;
         silo.scene.outlet_eccentricity = eccentricity;
         SmallRun               run(silo);
-        const WallTractions<2> observer(silo.output,
-                                        run.scene,
-                                        silo.material,
-                                        silo.walls);
+        const WallTractions<2> observer(silo.output, run.scene, silo.material);
         for (const auto &traction : observer.at_rest(make_records(run, 1., 0.)))
           {
             const double depth     = 2.1 - traction.record.position[1];
@@ -241,10 +243,7 @@ namespace
       {
         silo.scene.wall_height = wall_height;
         SmallRun               run(silo);
-        const WallTractions<2> observer(silo.output,
-                                        run.scene,
-                                        silo.material,
-                                        silo.walls);
+        const WallTractions<2> observer(silo.output, run.scene, silo.material);
         for (const auto &traction : observer.at_rest(make_records(run, 1., 0.)))
           EXPECT_EQ(std::isnan(traction.eurocode_filling.normal),
                     wall_height < 1. || traction.role == BoundaryRole::floor);
@@ -257,10 +256,7 @@ namespace
   {
     SmallSilo              silo;
     SmallRun               run(silo);
-    const WallTractions<2> observer(silo.output,
-                                    run.scene,
-                                    silo.material,
-                                    silo.walls);
+    const WallTractions<2> observer(silo.output, run.scene, silo.material);
     const VtuPiece         piece =
       wall_fields(observer.at_rest(make_records(run, 1000., 50.)));
     EXPECT_EQ(piece.points.size(), 3 * 12);

@@ -5,6 +5,7 @@
 #include <sandglass/output/janssen.h>
 
 #include <limits>
+#include <optional>
 
 namespace Sandglass
 {
@@ -41,6 +42,8 @@ namespace Sandglass
       /// one that is not the same on both sides.
       double hopper_slope;
       double internal_friction_angle; ///< phi, in degrees
+      /// mu_h; none: that of the vertical wall.
+      std::optional<double> hopper_friction_coefficient;
     };
 
     EurocodePressures(const Silo &silo, const Janssen &janssen);
@@ -78,6 +81,10 @@ namespace Sandglass
     is_intermediate() const;
     bool
     has_steep_hopper() const;
+
+    /// mu_h
+    double
+    hopper_friction() const;
 
     /// z / z_o, the depth over Janssen's characteristic depth.
     double

@@ -42,7 +42,6 @@ namespace Sandglass
     Observers(const OutputParameters   &parameters,
               const Scene<dim>         &scene,
               const MaterialParameters &material,
-              const WallParameters     &walls,
               const double              end_time,
               Log                      &log,
               TimerOutput              &timings);

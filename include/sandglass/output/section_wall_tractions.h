@@ -11,7 +11,6 @@
 #include <sandglass/output/output_parameters.h>
 #include <sandglass/output/silo_measures.h>
 #include <sandglass/output/wall_lines.h>
-#include <sandglass/walls/wall_parameters.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -80,8 +79,7 @@ namespace Sandglass
   public:
     WallTractions(const OutputParameters   &parameters,
                   const Scene<2>           &scene,
-                  const MaterialParameters &material,
-                  const WallParameters     &walls);
+                  const MaterialParameters &material);
 
     /// Open the files, after deserialization those of the earlier run.
     void
@@ -124,7 +122,7 @@ namespace Sandglass
       WallLines::Place place;
     };
 
-    /// All ranks' records but those of the axis; sorted, on rank 0.
+    /// All ranks' records; sorted, on rank 0.
     std::vector<PlacedRecord>
     collect(const WallRecords &records) const;
     /// @param force  mean of the wall's on the material, in N.
@@ -132,8 +130,6 @@ namespace Sandglass
     make_traction(const double        time,
                   const PlacedRecord &placed,
                   const Tensor<1, 3> &force) const;
-    BoundaryRole
-    role_of(const WallRecord &record) const;
     double
     janssen_pressure(const WallTraction &traction) const;
     WallPressure

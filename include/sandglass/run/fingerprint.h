@@ -47,6 +47,10 @@ namespace Sandglass
     }
   };
 
+  /// Whether a parameter may change on a restart.
+  bool
+  is_free_on_restart(const std::string &section, const std::string &name);
+
   /**
    * Throws InputError, which names the parameter or the part of the mesh,
    * unless the results with `now` can go on those with `written`: all

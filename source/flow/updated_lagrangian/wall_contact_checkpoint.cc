@@ -10,17 +10,20 @@ namespace Sandglass
   namespace
   {
     /// What commit() has kept of one support.
+    template <int dim>
     struct SavedSupport
     {
-      unsigned int vertex; ///< of the filled grid
-      bool         is_active;
-      double       normal_force, tangential_force; ///< in N
+      unsigned int   vertex; ///< of the filled grid
+      unsigned int   support;
+      bool           is_active;
+      double         normal_force;     ///< in N
+      Tensor<1, dim> tangential_force; ///< in N
 
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &vertex &is_active &normal_force &tangential_force;
+        archive &vertex &support &is_active &normal_force &tangential_force;
       }
     };
   } // namespace
@@ -31,15 +34,22 @@ namespace Sandglass
   void
   WallContact<dim>::save(boost::archive::binary_oarchive &archive) const
   {
-    std::vector<SavedSupport> of_rank, all;
+    std::vector<SavedSupport<dim>> of_rank, all;
     for (unsigned int vertex = 0; vertex < node_at_vertex.size(); ++vertex)
-      if (node_at_vertex[vertex] != numbers::invalid_unsigned_int &&
-          nodes[node_at_vertex[vertex]].is_owned)
-        for (const Support &support : nodes[node_at_vertex[vertex]].supports)
-          of_rank.push_back({vertex,
-                             support.was_active,
-                             support.normal_force,
-                             support.tangential_before});
+      {
+        const unsigned int n = node_at_vertex[vertex];
+        if (n == numbers::invalid_unsigned_int || !nodes[n].is_owned)
+          continue;
+        for (unsigned int s = 0; s < nodes[n].supports.size(); ++s)
+          {
+            const State &state = nodes[n].states[s];
+            of_rank.push_back({vertex,
+                               s,
+                               state.was_active,
+                               state.normal_force,
+                               state.tangential_before});
+          }
+      }
     for (const auto &part : Utilities::MPI::gather(communicator, of_rank))
       all.insert(all.end(), part.begin(), part.end());
     archive << all;
@@ -51,24 +61,18 @@ namespace Sandglass
   void
   WallContact<dim>::load(boost::archive::binary_iarchive &archive)
   {
-    std::vector<SavedSupport> all;
+    std::vector<SavedSupport<dim>> all;
     archive >> all;
-    for (unsigned int i = 0; i < all.size();)
+    for (const SavedSupport<dim> &saved : all)
       {
-        const unsigned int node = node_at_vertex[all[i].vertex];
-        if (node == numbers::invalid_unsigned_int)
-          {
-            ++i;
-            continue;
-          }
-        for (Support &support : nodes[node].supports)
-          {
-            const SavedSupport &saved = all[i++];
-            support.is_active = support.was_active = saved.is_active;
-            support.normal_force                   = saved.normal_force;
-            support.tangential_force               = support.tangential_before =
-              saved.tangential_force;
-          }
+        const unsigned int n = node_at_vertex[saved.vertex];
+        if (n == numbers::invalid_unsigned_int)
+          continue;
+        State &state    = nodes[n].states[saved.support];
+        state.is_active = state.was_active = saved.is_active;
+        state.normal_force                 = saved.normal_force;
+        state.tangential_force             = state.tangential_before =
+          saved.tangential_force;
       }
   }
 
