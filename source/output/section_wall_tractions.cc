@@ -143,7 +143,7 @@ namespace Sandglass
     std::vector<PlacedRecord> result;
     for (const auto &of_rank :
          Utilities::MPI::gather(scene.communicator, parcels))
-      for (const Parcel &parcel : of_rank)
+      for (const PackedRecord &parcel : of_rank)
         {
           const WallRecord record = unpack(parcel);
           result.push_back({record, lines.find(record.wall, record.vertex)});
@@ -211,7 +211,7 @@ namespace Sandglass
     WallTraction      traction{};
     traction.time           = time;
     traction.record         = record;
-    traction.role           = role_of(record);
+    traction.role           = scene.walls[record.wall].role;
     traction.wall_name      = scene.walls[record.wall].name;
     traction.place          = placed.place;
     traction.on_material    = force / record.area;
