@@ -14,7 +14,7 @@ namespace Sandglass
      nullptr,
      "",
      [](const WallTraction &t) { return std::string(t.wall_name); },
-     "the wall's name: `wall`, `floor`, `hopper`, or `outlet` where it is "
+     "the wall's name: `wall`, `floor`, `hopper`, `outlet` where it is "
      "closed"},
     {"arc_length_m",
      nullptr,

@@ -3,11 +3,8 @@
 #include <sandglass/output/section_wall_tractions.h>
 #include <sandglass/walls/section_tangent.h>
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 namespace Sandglass
 {
@@ -39,11 +36,7 @@ namespace Sandglass
                 parameters.lateral_pressure_ratio :
                 Janssen::standard_lateral_pressure_ratio(
                   material.internal_friction_angle),
-<<<<<<< HEAD
-              std::tan(walls.friction_angle * numbers::PI / 180.)};
-=======
               friction_coefficient(scene, BoundaryRole::wall).value_or(0.)};
->>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
     }
   } // namespace
 
@@ -90,38 +83,6 @@ namespace Sandglass
       return;
     table.open();
     series.open();
-  }
-
-
-
-  std::vector<WallTractions<2>::PlacedRecord>
-  WallTractions<2>::collect(const WallRecords &records) const
-  {
-    std::vector<WallRecord> of_this_rank;
-    for (const WallRecord &record : records.records)
-      if (record.wall != no_wall)
-        of_this_rank.push_back(record);
-
-    std::vector<PlacedRecord> result;
-    for (const auto &of_rank :
-         Utilities::MPI::gather(scene.communicator, of_this_rank))
-      for (const WallRecord &record : of_rank)
-        result.push_back({record, lines.find(record.wall, record.vertex)});
-
-    const auto key = [this](const PlacedRecord &placed) {
-      const WallRecord &record = placed.record;
-      // Where a wall has a bend, a node has two records.
-      return std::make_tuple(scene.walls[record.wall].role,
-                             record.wall,
-                             placed.place.line,
-                             placed.place.arc_length,
-                             record.normal[0],
-                             record.normal[1]);
-    };
-    std::sort(result.begin(),
-              result.end(),
-              [&key](const auto &a, const auto &b) { return key(a) < key(b); });
-    return result;
   }
 
 
