@@ -22,10 +22,10 @@ public:
   /// With `n_columns` cells in the half width, and a floor that has room for a
   /// deposit that spreads by `run_out` half widths.
   SandColumn(const Sandglass::Formulation formulation,
-         const Sandglass::CellType    cell_type,
-         const double                 aspect_ratio,
-         const double                 run_out,
-         const unsigned int           n_columns)
+             const Sandglass::CellType    cell_type,
+             const double                 aspect_ratio,
+             const double                 run_out,
+             const unsigned int           n_columns)
   {
     const double h      = width / n_columns;
     const double height = aspect_ratio * width;

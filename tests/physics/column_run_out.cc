@@ -21,7 +21,8 @@ TEST(ColumnRunOut, IsWhatItWas)
   for (const auto &expected : {Case{Formulation::plane_strain, 1.340, 0.8262},
                                Case{Formulation::axisymmetric, 1.280, 1.1361}})
     {
-      SandColumn column(expected.formulation, CellType::quadrilateral, 1., 1.3, 10);
+      SandColumn column(
+        expected.formulation, CellType::quadrilateral, 1., 1.3, 10);
       column.collapse();
       const double run_out       = column.front(0.02) / SandColumn::width - 1.;
       const double mean_distance = column.mean_distance() / SandColumn::width;
