@@ -24,7 +24,7 @@ namespace
       silo.cell_type         = cell_type;
       mesh                   = make_mesh<2>(silo, MPI_COMM_WORLD);
       scene                  = std::make_unique<Scene<2>>(
-        mesh, formulation, 4, gravity, MPI_COMM_WORLD);
+        mesh, walls, formulation, 4, gravity, MPI_COMM_WORLD);
     }
 
     std::unique_ptr<StaticStage<2>>

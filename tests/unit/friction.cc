@@ -10,7 +10,7 @@ namespace
 {
   using Friction2 = PenaltyFriction<2>;
   using Memory    = FrictionMemory<2>;
-  using Vector    = Tensor<1, 2>;
+  using Force    = Tensor<1, 2>;
 
   // The limit mu N is 3 N; c_T A dt = 0.5 N s / m
   const Friction2  return_mapping(1e3, 0., FrictionUpdate::return_mapping);
@@ -18,10 +18,10 @@ namespace
   constexpr double limit = 3., mass = 2., area = 0.05, time_step = 0.01;
 
   /// Along the wall.
-  Vector
+  Force
   along(const double value)
   {
-    return Vector({0.6 * value, 0.8 * value});
+    return Force({0.6 * value, 0.8 * value});
   }
 
   /// Along the wall, positive if so; nothing may point off it.
@@ -31,7 +31,7 @@ namespace
         const double     velocity,
         const double     free_velocity)
   {
-    const Vector result = friction.force(memory,
+    const Force result = friction.force(memory,
                                          limit,
                                          along(velocity),
                                          along(free_velocity),
@@ -46,14 +46,14 @@ namespace
 
 TEST(Coulomb, TheForceThatSticksAsFarAsTheLimit)
 {
-  const auto sticks = coulomb(Vector({3., -4.}), 5.1);
-  EXPECT_EQ(sticks.force, Vector({3., -4.}));
+  const auto sticks = coulomb(Force({3., -4.}), 5.1);
+  EXPECT_EQ(sticks.force, Force({3., -4.}));
   EXPECT_FALSE(sticks.is_sliding);
-  const auto slides = coulomb(Vector({3., -4.}), 2.);
-  EXPECT_NEAR((slides.force - Vector({1.2, -1.6})).norm(), 0., 1e-15);
+  const auto slides = coulomb(Force({3., -4.}), 2.);
+  EXPECT_NEAR((slides.force - Force({1.2, -1.6})).norm(), 0., 1e-15);
   EXPECT_TRUE(slides.is_sliding);
-  const auto smooth = coulomb(Vector(), 0.);
-  EXPECT_EQ(smooth.force, Vector());
+  const auto smooth = coulomb(Force(), 0.);
+  EXPECT_EQ(smooth.force, Force());
   EXPECT_TRUE(smooth.is_sliding);
 }
 
@@ -128,7 +128,7 @@ TEST(Friction, ALimitedSpringKeepsItsEnergyWhenItsNodeLosesMass)
   Memory          memory{along(2.), false};
   const auto      rest = [&](const double node_mass, const double step) {
     return limited.force(
-             memory, limit, Vector(), Vector(), node_mass, area, step) *
+             memory, limit, Force(), Force(), node_mass, area, step) *
            along(1.);
   };
   // The spring itself slows the node by a thousandth in each step.
@@ -142,5 +142,5 @@ TEST(Friction, VanishesWithoutNormalForce)
   Memory memory{along(-1.), false};
   EXPECT_EQ(return_mapping.force(
               memory, 0., along(1.), along(1.), mass, area, time_step),
-            Vector());
+            Force());
 }
