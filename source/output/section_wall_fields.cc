@@ -14,8 +14,8 @@ namespace Sandglass
      nullptr,
      "",
      [](const WallTraction &t) { return std::string(t.wall_name); },
-     "the wall's name: `wall`, `floor`, `hopper`, or `outlet` where it is "
-     "closed"},
+     "the wall's name: `wall`, `floor`, `hopper`, `outlet` where it is "
+     "closed, or a mesh file's physical group"},
     {"arc_length_m",
      nullptr,
      "m",

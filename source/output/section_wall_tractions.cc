@@ -3,11 +3,8 @@
 #include <sandglass/output/section_wall_tractions.h>
 #include <sandglass/walls/section_tangent.h>
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 namespace Sandglass
 {
@@ -39,54 +36,7 @@ namespace Sandglass
                 parameters.lateral_pressure_ratio :
                 Janssen::standard_lateral_pressure_ratio(
                   material.internal_friction_angle),
-<<<<<<< HEAD
-              std::tan(walls.friction_angle * numbers::PI / 180.)};
-=======
               friction_coefficient(scene, BoundaryRole::wall).value_or(0.)};
->>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
-    }
-
-
-
-    /// What one rank tells another about a record.
-    using PackedRecord = std::array<double, 12>;
-
-    PackedRecord
-    pack(const WallRecord &record)
-    {
-      const auto &x = record.position;
-      const auto &n = record.normal;
-      const auto &i = record.impulse;
-      return {{static_cast<double>(record.wall),
-               static_cast<double>(record.vertex),
-               x[0],
-               x[1],
-               x[2],
-               n[0],
-               n[1],
-               n[2],
-               record.area,
-               i[0],
-               i[1],
-               i[2]}};
-    }
-
-
-
-    WallRecord
-    unpack(const PackedRecord &parcel)
-    {
-      WallRecord record{};
-      record.wall   = static_cast<WallId>(parcel[0]);
-      record.vertex = static_cast<unsigned int>(parcel[1]);
-      record.area   = parcel[8];
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          record.position[d] = parcel[2 + d];
-          record.normal[d]   = parcel[5 + d];
-          record.impulse[d]  = parcel[9 + d];
-        }
-      return record;
     }
   } // namespace
 
@@ -137,40 +87,6 @@ namespace Sandglass
 
 
 
-  std::vector<WallTractions<2>::PlacedRecord>
-  WallTractions<2>::collect(const WallRecords &records) const
-  {
-    std::vector<PackedRecord> parcels;
-    for (const WallRecord &record : records.records)
-      parcels.push_back(pack(record));
-
-    std::vector<PlacedRecord> result;
-    for (const auto &of_rank :
-         Utilities::MPI::gather(scene.communicator, parcels))
-      for (const Parcel &parcel : of_rank)
-        {
-          const WallRecord record = unpack(parcel);
-          result.push_back({record, lines.find(record.wall, record.vertex)});
-        }
-
-    const auto key = [this](const PlacedRecord &placed) {
-      const WallRecord &record = placed.record;
-      // Where a wall has a bend, a node has two records.
-      return std::make_tuple(scene.walls[record.wall].role,
-                             record.wall,
-                             placed.place.line,
-                             placed.place.arc_length,
-                             record.normal[0],
-                             record.normal[1]);
-    };
-    std::sort(result.begin(),
-              result.end(),
-              [&key](const auto &a, const auto &b) { return key(a) < key(b); });
-    return result;
-  }
-
-
-
   std::vector<WallTraction>
   WallTractions<2>::at_rest(const WallRecords &records) const
   {
@@ -215,7 +131,7 @@ namespace Sandglass
     WallTraction      traction{};
     traction.time           = time;
     traction.record         = record;
-    traction.role           = role_of(record);
+    traction.role           = scene.walls[record.wall].role;
     traction.wall_name      = scene.walls[record.wall].name;
     traction.place          = placed.place;
     traction.on_material    = force / record.area;

@@ -60,11 +60,7 @@ namespace
       , grid(scene)
       , material(Elasticity(young_modulus, poisson_ratio), 0.5)
       , equilibrium(grid, material, 1500., scene.gravity)
-      , contact(grid,
-                scene,
-                fixture.walls,
-                equilibrium.weight(),
-                young_modulus)
+      , contact(grid, scene, fixture.walls, equilibrium.weight(), young_modulus)
     {}
 
     Errors
