@@ -15,7 +15,7 @@ namespace Sandglass
      "",
      [](const WallTraction &t) { return std::string(t.wall_name); },
      "the wall's name: `wall`, `floor`, `hopper`, `outlet` where it is "
-     "closed"},
+     "closed, or a mesh file's physical group"},
     {"arc_length_m",
      nullptr,
      "m",

@@ -43,7 +43,7 @@ namespace Sandglass
       double hopper_slope;
       double internal_friction_angle; ///< phi, in degrees
       /// mu_h; none: that of the vertical wall.
-      std::optional<double> hopper_friction_coefficient;
+      std::optional<double> hopper_friction_coefficient = {};
     };
 
     EurocodePressures(const Silo &silo, const Janssen &janssen);
