@@ -14,14 +14,14 @@
  * a gate that vanishes. The gate is an inner edge with the role of an outlet:
  * a wall in the static stage, nothing in the particle stage.
  */
-class Column
+class SandColumn
 {
 public:
   static constexpr double width = 0.1; ///< half width or radius, m
 
   /// With `n_columns` cells in the half width, and a floor that has room for a
   /// deposit that spreads by `run_out` half widths.
-  Column(const Sandglass::Formulation formulation,
+  SandColumn(const Sandglass::Formulation formulation,
          const Sandglass::CellType    cell_type,
          const double                 aspect_ratio,
          const double                 run_out,

@@ -4,6 +4,7 @@
 #include <sandglass/choices.h>
 #include <sandglass/flow/make_flow.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
+#include <sandglass/walls/section_tangent.h>
 
 #include <cmath>
 #include <iomanip>
@@ -11,7 +12,6 @@
 #include <sstream>
 
 #include "rectangle_mesh.h"
-#include "wall_role.h"
 
 /// As in the parameter file.
 inline const char *
@@ -52,7 +52,7 @@ mass_of_all(const Sandglass::FlowTotals &totals)
 struct MeanWallForce
 {
   dealii::Point<2>     position;
-  Sandglass::WallId    wall;   ///< see is_role()
+  Sandglass::WallId    wall;
   dealii::Tensor<1, 2> normal; ///< outward from the material
   double               tributary_area;
   dealii::Tensor<1, 2> force; ///< in N
@@ -109,7 +109,7 @@ struct StageFixture
     stage.reset();
     parameters.check();
     scene = std::make_unique<Sandglass::Scene<2>>(
-      mesh, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
+      mesh, walls, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
     stage.reset(&dynamic_cast<Stage &>(
       *Sandglass::make_flow<2>(*scene, material, walls, parameters).release()));
     last_records = stage->view().wall_records();
@@ -184,7 +184,13 @@ struct StageFixture
     });
   }
 
-  /// Mean forces of the walls and the axis since the last call, or the start;
+  Sandglass::BoundaryRole
+  role_of(const Sandglass::WallId wall) const
+  {
+    return scene->walls[wall].role;
+  }
+
+  /// Mean forces of the walls since the last call, or the start;
   /// zero if no time has passed.
   std::vector<MeanWallForce>
   take_mean_forces()

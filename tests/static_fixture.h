@@ -7,12 +7,12 @@
 
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/scene/make_mesh.h>
+#include <sandglass/walls/section_tangent.h>
 
 #include <memory>
 #include <sstream>
 
 #include "rectangle_mesh.h"
-#include "wall_role.h"
 
 /**
  * The static stage on any mesh, with all parameters at hand before run().
@@ -48,7 +48,7 @@ struct StaticFixture
       const MPI_Comm            communicator = MPI_COMM_WORLD)
   {
     scene = std::make_unique<Sandglass::Scene<2>>(
-      mesh, formulation, 4, gravity, communicator);
+      mesh, walls, formulation, 4, gravity, communicator);
     dealii::ConditionalOStream log(log_text);
     Sandglass::StaticStage<2>  stage(*scene, material, walls, parameters, log);
     state = stage.run();
@@ -70,6 +70,25 @@ struct StaticFixture
   n_points() const
   {
     return scene->mesh.cell_type == Sandglass::CellType::triangle ? 1 : 4;
+  }
+
+  Sandglass::BoundaryRole
+  role_of(const Sandglass::WallId wall) const
+  {
+    return scene->walls[wall].role;
+  }
+
+  dealii::Point<2>
+  position_of(const Sandglass::WallForce<2> &force) const
+  {
+    return scene->mesh.vertices[force.vertex];
+  }
+
+  /// In N, along wall_tangent(): upwards, or to the right on floors.
+  static double
+  tangential_force(const Sandglass::WallForce<2> &force)
+  {
+    return force.force * Sandglass::wall_tangent(force.normal);
   }
 
   /// Call `function(cell, cell_state)` for each filled cell.
@@ -126,8 +145,7 @@ struct StaticFixture
   {
     double sum = 0.;
     for (const auto &force : state.wall_forces)
-      sum += -force.normal_force * force.normal[1] +
-             force.tangential_force * Sandglass::wall_tangent(force.normal)[1];
+      sum += force.force[1];
     return sum;
   }
 };

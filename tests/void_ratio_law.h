@@ -75,9 +75,8 @@ public:
     const Sandglass::SymmetricComponents<n> trial = stress + factor * elastic;
     const auto                              projection =
       cone.stabilized_projection_derivative(trial, elastic_share);
-    Sandglass::SymmetricComponents<n> factor_gradient =
-      Sandglass::isotropic<n>(
-        Sandglass::pressure(stress) > 0. ? -1. / (3. * doubling_pressure) : 0.);
+    Sandglass::SymmetricComponents<n> factor_gradient = Sandglass::isotropic<n>(
+      Sandglass::pressure(stress) > 0. ? -1. / (3. * doubling_pressure) : 0.);
     return {projection * (Sandglass::ComponentMatrix<n>::Identity() +
                           elastic * factor_gradient.transpose()),
             factor * projection * cone.elasticity.template stiffness<n>()};

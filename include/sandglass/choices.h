@@ -8,8 +8,8 @@
 
 /**
  * @file
- * The choice among what cmake/choices.cmake lists, the one table of compile-time
- * choices.
+ * The choice among what cmake/choices.cmake lists, the one table of
+ * compile-time choices.
  */
 
 namespace Sandglass

@@ -18,7 +18,8 @@ namespace Sandglass
       // H_yx = 1 alone is a shear strain of 1/2 and a spin of 1/2
       const SymmetricComponents<4> turned =
         material.by_stress * jaumann_rotation(stress_before, 0.5);
-      const SymmetricComponents<4> sheared = 0.5 * material.by_strain.col(S::xy);
+      const SymmetricComponents<4> sheared =
+        0.5 * material.by_strain.col(S::xy);
 
       Matrix4x5 derivative;
       derivative.col(G::xx)   = material.by_strain.col(S::xx);
@@ -35,8 +36,7 @@ namespace Sandglass
     Matrix5x4
     stress_sensitivity(const Gradient5 &H)
     {
-      const Eigen::Matrix2d cofactor =
-        InPlaneResponse::in_plane_cofactor(H);
+      const Eigen::Matrix2d cofactor  = InPlaneResponse::in_plane_cofactor(H);
       const Eigen::Matrix2d stretched = (1. + H[G::hoop]) * cofactor;
 
       Matrix5x4 derivative;
@@ -54,14 +54,13 @@ namespace Sandglass
     Matrix5
     geometric_tangent(const SymmetricComponents<4> &stress, const Gradient5 &H)
     {
-      const Eigen::Matrix2d cofactor =
-        InPlaneResponse::in_plane_cofactor(H);
-      const double    stretch = 1. + H[G::hoop];
-      const double    xx      = stretch * stress[S::xx];
-      const double    yy      = stretch * stress[S::yy];
-      const double    xy      = stretch * stress[S::xy];
-      const double    zz      = stress[S::zz];
-      Eigen::Matrix2d P;
+      const Eigen::Matrix2d cofactor = InPlaneResponse::in_plane_cofactor(H);
+      const double          stretch  = 1. + H[G::hoop];
+      const double          xx       = stretch * stress[S::xx];
+      const double          yy       = stretch * stress[S::yy];
+      const double          xy       = stretch * stress[S::xy];
+      const double          zz       = stress[S::zz];
+      Eigen::Matrix2d       P;
       P << stress[S::xx], stress[S::xy], stress[S::xy], stress[S::yy];
       P *= cofactor;
 

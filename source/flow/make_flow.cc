@@ -26,12 +26,12 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                          \
-  template std::unique_ptr<DynamicFlow<dim>>      \
-  make_flow<dim>(const Scene<dim> &,              \
-                 const MaterialParameters &,      \
-                 const WallParameters &,          \
-                 const ParticleStageParameters &);
+#define INSTANTIATE(dim)                                     \
+  template std::unique_ptr<DynamicFlow<dim>> make_flow<dim>( \
+    const Scene<dim> &,                                      \
+    const MaterialParameters &,                              \
+    const WallParameters &,                                  \
+    const ParticleStageParameters &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

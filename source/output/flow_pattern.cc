@@ -35,7 +35,7 @@ namespace Sandglass
     const std::array<double, 3> of_rank     = {
           {area.touching,
            area.sliding,
-           counts_mass ? stagnant_mass_of_rank(view, stagnant_displacement) : 0.}};
+       counts_mass ? stagnant_mass_of_rank(view, stagnant_displacement) : 0.}};
 
     std::array<double, 3> sums;
     Utilities::MPI::sum(ArrayView<const double>(of_rank.data(), 3),

@@ -79,10 +79,11 @@ namespace Sandglass
 
   template <>
   SiloMeasures<2>::SiloMeasures(const Scene<2> &scene)
-    : has_open_outlet(
-        std::any_of(scene.mesh.faces.begin(),
-                    scene.mesh.faces.end(),
-                    [](const Mesh<2>::Face &edge) { return is_open(edge.role); }))
+    : has_open_outlet(std::any_of(scene.mesh.faces.begin(),
+                                  scene.mesh.faces.end(),
+                                  [](const Mesh<2>::Face &edge) {
+                                    return is_open(edge.role);
+                                  }))
   {
     const Extent outlet(scene.mesh, BoundaryRole::outlet);
     const Extent wall(scene.mesh, BoundaryRole::wall);

@@ -61,7 +61,11 @@ namespace Sandglass
         {
           for (unsigned int v = 0; v < mesh.vertices_per_face(); ++v)
             boost::hash_combine(seed, face.vertices[v]);
+<<<<<<< HEAD
+          boost::hash_combine(seed, face.boundary_id());
+=======
           boost::hash_combine(seed, name_of(mesh, face));
+>>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
         }
       return seed;
     }
@@ -86,7 +90,11 @@ namespace Sandglass
     {
       std::map<std::string, unsigned int> count;
       for (const auto &face : mesh.faces)
+<<<<<<< HEAD
+        ++count[mesh.name_of(face)];
+=======
         ++count[name_of(mesh, face)];
+>>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
       std::ostringstream text;
       for (const auto &[name, n] : count)
         text << (text.tellp() > 0 ? ", " : "") << name << ' ' << n;

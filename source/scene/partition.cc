@@ -55,7 +55,7 @@ namespace Sandglass
 
     template <int dim>
     std::unique_ptr<parallel::TriangulationBase<dim>>
-    partition_by_metis(const Mesh<dim>                      &mesh,
+    partition_by_metis(const Mesh<dim>                 &mesh,
                        const std::vector<unsigned int> &weights,
                        const MPI_Comm                   communicator)
     {
@@ -75,7 +75,7 @@ namespace Sandglass
     /// Its coarse cells are the mesh's, which every rank holds.
     template <int dim>
     std::unique_ptr<parallel::TriangulationBase<dim>>
-    partition_by_p4est(const Mesh<dim>                      &mesh,
+    partition_by_p4est(const Mesh<dim>                 &mesh,
                        const std::vector<unsigned int> &weights,
                        const MPI_Comm                   communicator)
     {
@@ -131,7 +131,7 @@ namespace Sandglass
 
   template <int dim>
   std::unique_ptr<parallel::TriangulationBase<dim>>
-  partition(const Mesh<dim>                      &mesh,
+  partition(const Mesh<dim>                 &mesh,
             const std::vector<unsigned int> &weights,
             const Partitioner                partitioner,
             const MPI_Comm                   communicator)
@@ -158,10 +158,16 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template std::vector<unsigned int> cell_weights<dim>(const Mesh<dim> &, const unsigned int); \
-  template std::unique_ptr<parallel::TriangulationBase<dim>> partition<dim>(const Mesh<dim> &, const std::vector<unsigned int> &, const Partitioner, const MPI_Comm); \
-  template std::vector<types::subdomain_id> find_cell_owners<dim>(const parallel::TriangulationBase<dim> &);
+#define INSTANTIATE(dim)                                                     \
+  template std::vector<unsigned int> cell_weights<dim>(const Mesh<dim> &,    \
+                                                       const unsigned int);  \
+  template std::unique_ptr<parallel::TriangulationBase<dim>> partition<dim>( \
+    const Mesh<dim> &,                                                       \
+    const std::vector<unsigned int> &,                                       \
+    const Partitioner,                                                       \
+    const MPI_Comm);                                                         \
+  template std::vector<types::subdomain_id> find_cell_owners<dim>(           \
+    const parallel::TriangulationBase<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

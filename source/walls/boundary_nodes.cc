@@ -84,6 +84,27 @@ namespace Sandglass
 
 
 
+    /// A closed outlet belongs to the wall beside it in the same plane.
+    template <int dim>
+    void
+    merge_closed_outlet(Support<dim>                 &support,
+                        const std::vector<Wall<dim>> &walls)
+    {
+      const auto outlet =
+        std::find_if(support.walls.begin(),
+                     support.walls.end(),
+                     [&](const auto &share) {
+                       return walls[share.wall].role == BoundaryRole::outlet;
+                     });
+      if (outlet == support.walls.end() || support.walls.size() == 1)
+        return;
+      const double area = outlet->area;
+      support.walls.erase(outlet);
+      support.walls[0].area += area;
+    }
+
+
+
     /// From the walls' areas, what they have of the support together.
     template <int dim>
     void
@@ -182,7 +203,10 @@ namespace Sandglass
         if (node.supports.empty())
           continue;
         for (auto &support : node.supports)
-          share_out(support, walls);
+          {
+            merge_closed_outlet(support, walls);
+            share_out(support, walls);
+          }
         node.is_free = node.is_outlet_lip &&
                        parameters.outlet_lip == WallParameters::OutletLip::free;
         node.is_fixed = parameters.fix_bottom_corner && !node.is_free &&

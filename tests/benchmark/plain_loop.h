@@ -211,7 +211,7 @@ private:
         const auto    &particle = *stray.particle;
         const Location location =
           geometry.find(particle.get_location(), stray.cell);
-        if (location.kind == Location::Kind::outside && is_open(location.role))
+        if (location.kind == Location::Kind::outside && is_open(location.part.role))
           continue;
         if (!Geometry::is_inside(location.reference_point,
                                  -Relocation::rounding))

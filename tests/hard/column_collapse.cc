@@ -57,11 +57,11 @@ TEST_P(ColumnCollapse, RunsOutAsFarAsInTheExperiments)
 {
   const auto [formulation, cell_type, a] = GetParam();
   const auto [least, largest]            = run_out(formulation, a);
-  Column column(
+  SandColumn column(
     formulation, cell_type, a, largest, columns(formulation, cell_type, a));
   column.collapse();
-  const double found  = column.front(0.02) / Column::width - 1.;
-  const double height = column.summit() / Column::width;
+  const double found  = column.front(0.02) / SandColumn::width - 1.;
+  const double height = column.summit() / SandColumn::width;
   std::cout << "run-out / r_0 " << found << ", experiments " << least << " to "
             << largest << ", height / r_0 " << height << std::endl;
   EXPECT_GT(found, 0.75 * least);

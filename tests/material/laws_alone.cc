@@ -1,8 +1,8 @@
 // The laws compile and work without deal.II: this file includes nothing of it.
 
-#include <gtest/gtest.h>
-
 #include <sandglass/material/drucker_prager.h>
+
+#include <gtest/gtest.h>
 
 using namespace Sandglass;
 
@@ -30,14 +30,16 @@ TEST(LawsAlone, six_components_give_what_four_do)
 
   Increment increment;
   increment.strain << 1e-3, -2e-3, 5e-4, 1e-3, 0., 0.;
-  const SymmetricComponents<6> prediction = law.predict(increment, 0.);
+  const SymmetricComponents<6> prediction          = law.predict(increment, 0.);
   const SymmetricComponents<4> prediction_in_plane = prediction.head<4>();
 
   const double work          = law.correct(in_space, none, prediction);
   const double work_in_plane = law.correct(in_plane, none, prediction_in_plane);
   EXPECT_GT(work, 0.);
   EXPECT_DOUBLE_EQ(work, work_in_plane);
-  EXPECT_NEAR(law.yield_function(in_space), 0., 1e-9 * von_mises_stress(in_space));
+  EXPECT_NEAR(law.yield_function(in_space),
+              0.,
+              1e-9 * von_mises_stress(in_space));
   for (int c = 0; c < 4; ++c)
     EXPECT_DOUBLE_EQ(in_space[c], in_plane[c]);
   EXPECT_EQ(in_space[4], 0.);

@@ -55,6 +55,7 @@ namespace
     move_to(const std::vector<unsigned int> &cell_weights)
     {
       auto next_scene = std::make_unique<Scene<2>>(mesh,
+                                                   walls,
                                                    formulation,
                                                    particles_per_cell,
                                                    gravity,

@@ -25,6 +25,7 @@ namespace
   protected:
     Partition()
       : scene(squares(),
+              WallParameters(),
               Formulation::plane_strain,
               4,
               Tensor<1, 2>(),

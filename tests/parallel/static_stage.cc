@@ -80,15 +80,16 @@ namespace
   struct Tangent
   {
     explicit Tangent(const Mesh<2> &mesh)
-      : scene(mesh, Formulation::plane_strain, 4, gravity, MPI_COMM_WORLD)
+      : scene(mesh,
+              fixture.walls,
+              Formulation::plane_strain,
+              4,
+              gravity,
+              MPI_COMM_WORLD)
       , grid(scene)
       , material(Elasticity(1e6, 0.3), 0.5)
       , equilibrium(grid, material, 1500., gravity)
-      , contact(grid,
-                Formulation::plane_strain,
-                fixture.walls,
-                equilibrium.weight(),
-                1e6)
+      , contact(grid, scene, fixture.walls, equilibrium.weight(), 1e6)
     {}
 
     /// Different at each node, but the same on all ranks.

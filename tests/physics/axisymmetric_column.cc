@@ -137,7 +137,7 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
     fixture.stage->step();
   double largest = 0., lateral_force = 0.;
   for (const MeanWallForce &force : fixture.take_mean_forces())
-    if (is_role(force.wall, BoundaryRole::wall))
+    if (fixture.role_of(force.wall) == BoundaryRole::wall)
       {
         EXPECT_NEAR(force.tangential_force() / (scale * radius), 0., 1e-14);
         lateral_force += force.normal_force();

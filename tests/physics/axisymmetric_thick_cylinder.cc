@@ -51,6 +51,7 @@ namespace
   public:
     ThickCylinder(const CellType cell_type, const unsigned int n_cells)
       : scene(mesh(cell_type, n_cells),
+              fixture.walls,
               Formulation::axisymmetric,
               4,
               Tensor<1, 2>({0., 0.}),
@@ -60,7 +61,7 @@ namespace
       , material(Elasticity(young_modulus, poisson_ratio), 0.5)
       , equilibrium(grid, material, 1500., scene.gravity)
       , contact(grid,
-                Formulation::axisymmetric,
+                scene,
                 fixture.walls,
                 equilibrium.weight(),
                 young_modulus)

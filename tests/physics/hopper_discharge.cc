@@ -49,6 +49,7 @@ namespace
       transition = Point<2>(hopper.half_width, hopper.hopper_height);
       for (const auto &node : find_boundary_nodes(fixture.scene->dof_handler,
                                                   hopper.formulation,
+                                                  fixture.scene->walls,
                                                   fixture.walls))
         if (node.position.distance(transition) < 1e-9)
           corner = node;
@@ -98,8 +99,10 @@ TEST_P(HopperTest, BothWallsSupportTheNodeWhereTheyMeet)
   inclined /= inclined.norm();
   for (const auto &support : corner.supports)
     {
-      const bool is_vertical = support.role == BoundaryRole::wall;
-      EXPECT_TRUE(is_vertical || support.role == BoundaryRole::hopper);
+      ASSERT_EQ(support.walls.size(), 1u);
+      const BoundaryRole role        = fixture.role_of(support.walls[0].wall);
+      const bool         is_vertical = role == BoundaryRole::wall;
+      EXPECT_TRUE(is_vertical || role == BoundaryRole::hopper);
       EXPECT_NEAR((support.normal -
                    (is_vertical ? Tensor<1, 2>({1., 0.}) : inclined))
                     .norm(),

@@ -2,11 +2,11 @@
 // file's Setting: its variables go with the particles wherever these go, and
 // the state at rest and the critical step ask it.
 
-#include <gtest/gtest.h>
-
 #include <sandglass/flow/particle_in_cell/explicit_particle_stage.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
+
+#include <gtest/gtest.h>
 
 #include <sstream>
 
@@ -29,9 +29,7 @@ namespace
     Rectangle rectangle;
     rectangle.n_x = rectangle.n_y = 8;
     rectangle.lower               = Point<2>(0., -0.25);
-    rectangle.is_filled           = [](const Point<2> &center) {
-      return center[1] > 0.;
-    };
+    rectangle.is_filled = [](const Point<2> &center) { return center[1] > 0.; };
     rectangle.displaced = [](const Point<2> &point) {
       return Point<2>(point[0] * point[0], point[1]);
     };
@@ -56,6 +54,7 @@ namespace
     {
       fixture.parameters.check();
       scene = std::make_unique<Scene<2>>(mesh,
+                                         fixture.walls,
                                          Formulation::plane_strain,
                                          4,
                                          fixture.gravity,
@@ -76,8 +75,8 @@ namespace
 
 TEST_F(LawWithState, variables_go_with_the_particles)
 {
-  const auto         stage     = make_stage();
-  const Flow        &flow      = *stage;
+  const auto         stage      = make_stage();
+  const Flow        &flow       = *stage;
   const unsigned int n_at_first = flow.view().totals().n_particles;
   for (unsigned int n = 0; n < 300; ++n)
     stage->step();
@@ -94,9 +93,8 @@ TEST_F(LawWithState, variables_go_with_the_particles)
     // Both follow the volume, to first and second order in a step's strain.
     largest_error =
       std::max(largest_error,
-               std::abs(expansion * particle.density /
-                          fixture.material.density -
-                        1.));
+               std::abs(
+                 expansion * particle.density / fixture.material.density - 1.));
     EXPECT_NEAR(trace, std::log(expansion), 0.02);
     n_halves += particle.id >= n_at_first;
   });
@@ -160,7 +158,9 @@ TEST_F(LawWithState, critical_step_follows_the_stiffness)
         {}, isotropic<4>(-3. * VoidRatioLaw::doubling_pressure), 1.};
     },
     {});
-  EXPECT_NEAR(flow.view().critical_time_step(true), at_zero / 2., 0.01 * at_zero);
+  EXPECT_NEAR(flow.view().critical_time_step(true),
+              at_zero / 2.,
+              0.01 * at_zero);
 }
 
 
@@ -173,16 +173,20 @@ TEST_F(LawWithState, rest_asks_the_law)
   rectangle.n_y  = 8;
   rectangle.left = rectangle.right = BoundaryRole::axis;
   mesh                             = rectangle.mesh();
-  scene = std::make_unique<Scene<2>>(
-    mesh, Formulation::plane_strain, 4, fixture.gravity, MPI_COMM_WORLD);
-  const FilledGrid<2> grid(*scene);
+  scene                            = std::make_unique<Scene<2>>(mesh,
+                                     fixture.walls,
+                                     Formulation::plane_strain,
+                                     4,
+                                     fixture.gravity,
+                                     MPI_COMM_WORLD);
+  const FilledGrid<2>                            grid(*scene);
   MaterialEquilibrium<PlaneStrain, VoidRatioLaw> equilibrium(
     grid,
     VoidRatioLaw(fixture.material),
     fixture.material.density,
     fixture.gravity);
   WallContact<2>              contact(grid,
-                         Formulation::plane_strain,
+                         *scene,
                          fixture.walls,
                          equilibrium.weight(),
                          equilibrium.confined_modulus());

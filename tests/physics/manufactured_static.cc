@@ -33,6 +33,7 @@ namespace
     SettlementRun(const CellType cell_type, const unsigned int n_cells)
       : exact{Kinematics::formulation}
       , scene(mesh(cell_type, n_cells),
+              walls,
               Kinematics::formulation,
               4,
               Tensor<1, 2>({0., -9.81}),
@@ -47,7 +48,7 @@ namespace
                       return exact.body_force(point);
                     })
       , contact(grid,
-                Kinematics::formulation,
+                scene,
                 walls,
                 equilibrium.weight(),
                 exact.elasticity.confined_modulus())

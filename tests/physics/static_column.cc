@@ -104,9 +104,9 @@ TEST_P(ColumnTest, WallsCarryTheLateralStress)
   double lateral_force = 0.;
   for (const WallForce<2> &force : fixture.state.wall_forces)
     {
-      EXPECT_NEAR(force.tangential_force / (scale * width), 0., 1e-12);
-      if (is_role(force, BoundaryRole::wall))
-        lateral_force += force.normal_force;
+      EXPECT_NEAR(fixture.tangential_force(force) / (scale * width), 0., 1e-12);
+      if (fixture.role_of(force.wall) == BoundaryRole::wall)
+        lateral_force += force.normal_force();
     }
   // integral of nu / (1 - nu) rho g (H - y) over the wall
   double expected = 0.3 / 0.7 * 1500. * 9.81 * height * height / 2.;

@@ -62,7 +62,7 @@ namespace
 TEST_P(JanssenTest, WallPressure)
 {
   const double K  = stress_ratio();
-  const double mu = fixture.walls.friction_coefficient();
+  const double mu = fixture.scene->walls[0].friction_coefficient;
   const double z0 =
     half_width / (K * mu) / (GetParam() == Formulation::axisymmetric ? 2. : 1.);
 
@@ -72,17 +72,18 @@ TEST_P(JanssenTest, WallPressure)
     expected(n_bands);
   for (const WallForce<2> &node : fixture.state.wall_forces)
     {
-      const double y = node.position[1];
-      if (!is_role(node, BoundaryRole::wall) || y < lower_end || y >= upper_end)
+      const double y = fixture.position_of(node)[1];
+      if (fixture.role_of(node.wall) != BoundaryRole::wall || y < lower_end ||
+          y >= upper_end)
         continue;
       const auto   band = static_cast<unsigned int>(n_bands * (y - lower_end) /
                                                   (upper_end - lower_end));
       const double z    = height - y;
-      force[band] += node.normal_force;
-      friction[band] += node.tangential_force;
-      area[band] += node.tributary_area;
+      force[band] += node.normal_force();
+      friction[band] += fixture.tangential_force(node);
+      area[band] += node.area;
       expected[band] +=
-        node.tributary_area * unit_weight * K * z0 * (1. - std::exp(-z / z0));
+        node.area * unit_weight * K * z0 * (1. - std::exp(-z / z0));
     }
 
   std::cout << "K = " << K << ", z0 = " << z0 << " m\n"

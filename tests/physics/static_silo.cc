@@ -47,20 +47,21 @@ TEST_P(SiloTest, WallsAndFloorCarryTheWeight)
 
 TEST_P(SiloTest, FrictionStaysWithinCoulombsLaw)
 {
-  const double mu        = fixture.walls.friction_coefficient();
+  const double mu        = fixture.scene->walls[0].friction_coefficient;
   const double scale     = fixture.weight();
   unsigned int n_sliding = 0;
   for (const WallForce<2> &force : fixture.state.wall_forces)
     {
-      const double limit = mu * std::max(force.normal_force, 0.);
-      EXPECT_LE(std::abs(force.tangential_force) / scale,
+      const double limit = mu * std::max(force.normal_force(), 0.);
+      EXPECT_LE(std::abs(fixture.tangential_force(force)) / scale,
                 limit / scale + 1e-12);
-      n_sliding += std::abs(force.tangential_force) > (1. - 1e-9) * limit &&
-                   force.normal_force > 0.;
+      n_sliding +=
+        std::abs(fixture.tangential_force(force)) > (1. - 1e-9) * limit &&
+        force.normal_force() > 0.;
       // settling material is held back
-      if (is_role(force, BoundaryRole::wall))
+      if (fixture.role_of(force.wall) == BoundaryRole::wall)
         {
-          EXPECT_GE(force.tangential_force / scale, -1e-12);
+          EXPECT_GE(fixture.tangential_force(force) / scale, -1e-12);
         }
     }
   EXPECT_GT(n_sliding, 0u);

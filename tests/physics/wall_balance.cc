@@ -30,7 +30,8 @@ namespace
       const double end = stage.view().clock().time + duration;
       while (stage.view().clock().time < end)
         {
-          const FlowTotals before = stage.view().totals();
+          const FlowTotals   before  = stage.view().totals();
+          const Tensor<1, 2> of_axis = stage.wall_contact().axis_impulse();
           stage.step();
           const FlowTotals after  = stage.view().totals();
           const auto       forces = fixture.take_mean_forces();
@@ -43,6 +44,7 @@ namespace
           const double time_step = stage.view().clock().time_step;
           for (const MeanWallForce &force : forces)
             sum.walls += time_step * force.force;
+          sum.walls += stage.wall_contact().axis_impulse() - of_axis;
           const double mass = mass_of_all(before) - before.mass_removed;
           sum.weight += time_step * mass * 9.81;
           for (unsigned int d = 0; d < 2; ++d)

@@ -79,28 +79,31 @@ TEST_P(WholeSilo, AtRestBothSidesCarryWhatTheHalfDoes)
 
   double largest = 0.;
   for (const auto &force : half.forces)
-    largest = std::max(largest, std::abs(force.normal_force));
+    largest = std::max(largest, std::abs(force.normal_force()));
   unsigned int n_compared = 0;
   for (const auto &expected : half.forces)
     for (const auto &found : whole.forces)
       {
-        const Point<2> image(-found.position[0], found.position[1]);
-        const bool is_same  = found.position.distance(expected.position) < 1e-9;
-        const bool is_image = image.distance(expected.position) < 1e-9;
+        const Point<2> here = whole.fixture.scene->mesh.vertices[found.vertex];
+        const Point<2> there =
+          half.fixture.scene->mesh.vertices[expected.vertex];
+        const Point<2> image(-here[0], here[1]);
+        const bool     is_same  = here.distance(there) < 1e-9;
+        const bool     is_image = image.distance(there) < 1e-9;
         // Forces on the axis are those of half a node, in the half.
-        if (found.role != expected.role || (!is_same && !is_image) ||
+        if (found.wall != expected.wall || (!is_same && !is_image) ||
             (is_same && is_image))
           continue;
         ++n_compared;
-        EXPECT_NEAR(found.normal_force / largest,
-                    expected.normal_force / largest,
+        EXPECT_NEAR(found.normal_force() / largest,
+                    expected.normal_force() / largest,
                     1e-6);
-        // Tangents of vertical and inclined walls are images, those of floors
-        // and outlet point to the right.
-        const double sign =
-          is_image && std::abs(found.normal[0]) < 1e-9 ? -1 : 1;
-        EXPECT_NEAR(sign * found.tangential_force / largest,
-                    expected.tangential_force / largest,
+        const double sign = is_image ? -1. : 1.;
+        EXPECT_NEAR(sign * found.force[0] / largest,
+                    expected.force[0] / largest,
+                    1e-6);
+        EXPECT_NEAR(found.force[1] / largest,
+                    expected.force[1] / largest,
                     1e-6);
       }
   EXPECT_EQ(n_compared, 2 * (half.forces.size() - 1));

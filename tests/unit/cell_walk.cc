@@ -35,6 +35,7 @@ namespace
 
     CellWalk()
       : scene(irregular_mesh(cell_type),
+              WallParameters(),
               Formulation::plane_strain,
               4,
               Tensor<1, 2>(),
@@ -116,7 +117,7 @@ TYPED_TEST(CellWalk, NamesTheBoundaryThatAPointIsBeyond)
   const auto expect = [this](const Point<2> &point, const BoundaryRole role) {
     const auto found = this->geometry.find(point, 40);
     ASSERT_EQ(found.kind, std::decay_t<decltype(found)>::Kind::outside);
-    EXPECT_EQ(found.role, role) << point;
+    EXPECT_EQ(found.part.role, role) << point;
   };
   expect({-0.01, 0.5}, BoundaryRole::axis);
   expect({1.01, 0.5}, BoundaryRole::wall);

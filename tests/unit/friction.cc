@@ -8,54 +8,84 @@ using namespace Sandglass;
 
 namespace
 {
-  // mu N = 3 N; c_T A dt = 0.5 N s / m
-  const CoulombFriction
-    return_mapping(0.3, 1e3, 0., FrictionUpdate::return_mapping);
-  const CoulombFriction
-                   velocity_sign(0.3, 1e3, 0., FrictionUpdate::velocity_sign);
-  constexpr double normal_force = 10., mass = 2., area = 0.05, time_step = 0.01;
+  using Friction2 = PenaltyFriction<2>;
+  using Memory    = FrictionMemory<2>;
+  using Vector    = Tensor<1, 2>;
 
-  double
-  force(const CoulombFriction &friction,
-        FrictionMemory        &memory,
-        const double           velocity,
-        const double           free_velocity)
+  // The limit mu N is 3 N; c_T A dt = 0.5 N s / m
+  const Friction2  return_mapping(1e3, 0., FrictionUpdate::return_mapping);
+  const Friction2  velocity_sign(1e3, 0., FrictionUpdate::velocity_sign);
+  constexpr double limit = 3., mass = 2., area = 0.05, time_step = 0.01;
+
+  /// Along the wall.
+  Vector
+  along(const double value)
   {
-    return friction.tangential_force(
-      memory, normal_force, velocity, free_velocity, mass, area, time_step);
+    return Vector({0.6 * value, 0.8 * value});
+  }
+
+  /// Along the wall, positive if so; nothing may point off it.
+  double
+  force(const Friction2 &friction,
+        Memory          &memory,
+        const double     velocity,
+        const double     free_velocity)
+  {
+    const Vector result = friction.force(memory,
+                                         limit,
+                                         along(velocity),
+                                         along(free_velocity),
+                                         mass,
+                                         area,
+                                         time_step);
+    EXPECT_NEAR((result - along(result * along(1.))).norm(), 0., 1e-15);
+    EXPECT_EQ((result - memory.force).norm(), 0.);
+    return result * along(1.);
   }
 } // namespace
 
+TEST(Coulomb, TheForceThatSticksAsFarAsTheLimit)
+{
+  const auto sticks = coulomb(Vector({3., -4.}), 5.1);
+  EXPECT_EQ(sticks.force, Vector({3., -4.}));
+  EXPECT_FALSE(sticks.is_sliding);
+  const auto slides = coulomb(Vector({3., -4.}), 2.);
+  EXPECT_NEAR((slides.force - Vector({1.2, -1.6})).norm(), 0., 1e-15);
+  EXPECT_TRUE(slides.is_sliding);
+  const auto smooth = coulomb(Vector(), 0.);
+  EXPECT_EQ(smooth.force, Vector());
+  EXPECT_TRUE(smooth.is_sliding);
+}
+
 TEST(Friction, StickingForceSolvesThePenaltyLawAtTheEndOfTheStep)
 {
-  FrictionMemory memory{0.7, false};
-  const double   result       = force(return_mapping, memory, 0.1, 0.2);
-  const double   end_velocity = 0.2 + time_step * result / mass;
+  Memory       memory{along(0.7), false};
+  const double result       = force(return_mapping, memory, 0.1, 0.2);
+  const double end_velocity = 0.2 + time_step * result / mass;
   EXPECT_NEAR(result, 0.7 - 1e3 * area * end_velocity * time_step, 1e-14);
   EXPECT_FALSE(memory.is_sliding);
-  EXPECT_EQ(memory.tangential_force, result);
 }
 
 TEST(Friction, SlidesWhereThePenaltyForceExceedsTheLimit)
 {
-  FrictionMemory memory{-2.9, false};
-  EXPECT_DOUBLE_EQ(force(return_mapping, memory, 1., 1.), -3.);
+  Memory memory{along(-2.9), false};
+  EXPECT_NEAR(force(return_mapping, memory, 1., 1.), -3., 1e-14);
   EXPECT_TRUE(memory.is_sliding);
 }
 
 TEST(Friction, SlidingGoesOnWhileTheDirectionStays)
 {
-  FrictionMemory memory{-3., true};
-  EXPECT_DOUBLE_EQ(force(return_mapping, memory, 1., 0.5), -3.);
+  Memory memory{along(-3.), true};
+  EXPECT_NEAR(force(return_mapping, memory, 1., 0.5), -3., 1e-14);
   EXPECT_TRUE(memory.is_sliding);
 }
 
 TEST(Friction, StopsRatherThanTurnsBack)
 {
   // Sliding friction would turn the node's velocity to -0.005 m/s.
-  FrictionMemory memory{-3., true};
-  const double   result       = force(velocity_sign, memory, 0.02, 0.01);
-  const double   end_velocity = 0.01 + time_step * result / mass;
+  Memory       memory{along(-3.), true};
+  const double result       = force(velocity_sign, memory, 0.02, 0.01);
+  const double end_velocity = 0.01 + time_step * result / mass;
   EXPECT_LE(std::abs(result), 3.);
   EXPECT_FALSE(memory.is_sliding);
   EXPECT_NEAR(result, -3. - 1e3 * area * end_velocity * time_step, 1e-14);
@@ -65,9 +95,9 @@ TEST(Friction, StopsRatherThanTurnsBack)
 // from where it was, by the paper's rule it turns round.
 TEST(Friction, IsContinuousWhereTheVelocityTurns)
 {
-  FrictionMemory memory{3., true};
+  Memory memory{along(3.), true};
   EXPECT_NEAR(force(return_mapping, memory, 1e-9, 1e-9), 3., 0.01);
-  memory = {3., true};
+  memory = {along(3.), true};
   EXPECT_NEAR(force(velocity_sign, memory, 1e-9, 1e-9), -3., 0.01);
 }
 
@@ -75,17 +105,16 @@ TEST(Friction, IsContinuousWhereTheVelocityTurns)
 // one of 3e-3 leaves it.
 TEST(Friction, APenaltyAboveItsLimitActsLikeALowerOne)
 {
-  const auto result = [](const double penalty, const double limit) {
-    const CoulombFriction friction(0.3,
-                                   penalty,
-                                   limit,
-                                   FrictionUpdate::return_mapping);
-    FrictionMemory        memory{0.7, false};
+  const auto result = [](const double penalty, const double penalty_limit) {
+    const Friction2 friction(penalty,
+                             penalty_limit,
+                             FrictionUpdate::return_mapping);
+    Memory          memory{along(0.7), false};
     force(friction, memory, 0.1, 0.2);
-    friction.stretch(memory, 0.3, area, time_step);
-    return memory.tangential_force;
+    friction.stretch(memory, along(0.3), area, time_step);
+    return memory.force * along(1.);
   };
-  EXPECT_DOUBLE_EQ(result(1e3, 1e-3), result(400., 0.));
+  EXPECT_NEAR(result(1e3, 1e-3), result(400., 0.), 1e-15);
   EXPECT_EQ(result(1e3, 3e-3), result(1e3, 0.));
   EXPECT_GT(std::abs(result(1e3, 0.) - result(400., 0.)), 1e-3);
 }
@@ -95,22 +124,23 @@ TEST(Friction, APenaltyAboveItsLimitActsLikeALowerOne)
 // changes nothing: what sticks at rest needs its force.
 TEST(Friction, ALimitedSpringKeepsItsEnergyWhenItsNodeLosesMass)
 {
-  const CoulombFriction limited(0.3, 1e6, 1e-3, FrictionUpdate::return_mapping);
-  FrictionMemory        memory{2., false};
-  const auto            rest = [&](const double node_mass, const double step) {
-    return limited.tangential_force(
-      memory, normal_force, 0., 0., node_mass, area, step);
+  const Friction2 limited(1e6, 1e-3, FrictionUpdate::return_mapping);
+  Memory          memory{along(2.), false};
+  const auto      rest = [&](const double node_mass, const double step) {
+    return limited.force(
+             memory, limit, Vector(), Vector(), node_mass, area, step) *
+           along(1.);
   };
   // The spring itself slows the node by a thousandth in each step.
-  EXPECT_DOUBLE_EQ(rest(mass, time_step), 2. / 1.001);
-  EXPECT_DOUBLE_EQ(rest(mass / 4., time_step), 1. / std::pow(1.001, 2));
-  EXPECT_DOUBLE_EQ(rest(mass / 4., time_step / 2.), 1. / std::pow(1.001, 3));
+  EXPECT_NEAR(rest(mass, time_step), 2. / 1.001, 1e-14);
+  EXPECT_NEAR(rest(mass / 4., time_step), 1. / std::pow(1.001, 2), 1e-14);
+  EXPECT_NEAR(rest(mass / 4., time_step / 2.), 1. / std::pow(1.001, 3), 1e-14);
 }
 
 TEST(Friction, VanishesWithoutNormalForce)
 {
-  FrictionMemory memory{-1., false};
-  EXPECT_EQ(
-    return_mapping.tangential_force(memory, 0., 1., 1., mass, area, time_step),
-    0.);
+  Memory memory{along(-1.), false};
+  EXPECT_EQ(return_mapping.force(
+              memory, 0., along(1.), along(1.), mass, area, time_step),
+            Vector());
 }

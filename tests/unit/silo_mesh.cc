@@ -102,6 +102,7 @@ TEST_P(WholeSilo, RolesCoverTheBoundary)
 TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 {
   const Scene<2> scene(mesh_silo<2>(silo),
+                       WallParameters(),
                        silo.formulation,
                        4,
                        silo.gravity_vector<2>(),
@@ -110,8 +111,8 @@ TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 
   walls.outlet_lip     = WallParameters::OutletLip::floor;
   unsigned int n_fixed = 0, n_corners = 0;
-  for (const auto &node :
-       find_boundary_nodes(scene.dof_handler, scene.formulation, walls))
+  for (const auto &node : find_boundary_nodes(
+         scene.dof_handler, scene.formulation, scene.walls, walls))
     {
       const bool is_lip = std::abs(node.position[1]) < 1e-12 &&
                           std::abs(node.position[0] - 0.2) < 0.2 + 1e-12;
@@ -145,16 +146,23 @@ TEST_P(WholeSilo, LipsAndCornersOnBothSides)
 TEST_P(WholeSilo, SidesOfTheWalls)
 {
   const Scene<2>  scene(mesh_silo<2>(silo),
+                       WallParameters(),
                        silo.formulation,
                        4,
                        silo.gravity_vector<2>(),
                        MPI_COMM_WORLD);
-  const WallLines lines(scene.mesh, SiloMeasures(scene).bottom_centre);
-  const auto      expect_place = [&lines](const BoundaryRole    role,
-                                     const Point<2>       &point,
-                                     const WallLines::Side side,
-                                     const double          arc_length) {
-    const auto &place = lines.find(role, point);
+  const WallLines lines(scene.mesh,
+                        scene.walls,
+                        SiloMeasures<2>(scene).bottom_centre);
+  const auto      expect_place = [&](const BoundaryRole    role,
+                                const Point<2>       &point,
+                                const WallLines::Side side,
+                                const double          arc_length) {
+    unsigned int vertex = 0;
+    while (scene.mesh.vertices[vertex].distance(point) > 1e-9)
+      ++vertex;
+    const auto &place =
+      lines.find(boundary_part(scene.walls, boundary_id(role)).wall, vertex);
     EXPECT_EQ(place.side, side);
     EXPECT_NEAR(place.arc_length, arc_length, 1e-12);
   };
@@ -277,6 +285,7 @@ TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
         silo.outlet_element_size = size;
         silo.mesh_seed           = seed;
         const Scene<2>                         scene(mesh_silo<2>(silo),
+                             WallParameters(),
                              silo.formulation,
                              4,
                              silo.gravity_vector<2>(),

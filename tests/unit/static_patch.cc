@@ -20,6 +20,7 @@ namespace
   {
     explicit Patch(const CellType cell_type)
       : scene(mesh(cell_type),
+              WallParameters(),
               Kinematics::formulation,
               4,
               gravity,

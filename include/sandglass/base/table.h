@@ -32,7 +32,7 @@ namespace Sandglass
     std::variant<double (*)(const Source &),
                  unsigned long (*)(const Source &),
                  std::string (*)(const Source &)>
-      value;
+                value;
     const char *meaning;
     /// Whether the file has it, which is the same for all rows of a file; none:
     /// always.
@@ -81,7 +81,7 @@ namespace Sandglass
                  std::int32_t (*)(const Source &),
                  dealii::Tensor<1, 3> (*)(const Source &),
                  std::array<double, 6> (*)(const Source &)>
-      value;
+                value;
     const char *meaning;
   };
 

@@ -26,11 +26,13 @@ namespace Sandglass
    */
   template <typename... Types, typename IsChosen, typename Function>
   bool
-  choose(TypeList<Types...>, const IsChosen &is_chosen, const Function &function)
+  choose(TypeList<Types...>,
+         const IsChosen &is_chosen,
+         const Function &function)
   {
-    return ((is_chosen(TypeTag<Types>()) &&
-             (function(TypeTag<Types>()), true)) ||
-            ...);
+    return (
+      (is_chosen(TypeTag<Types>()) && (function(TypeTag<Types>()), true)) ||
+      ...);
   }
 
   /// What `text(TypeTag<T>())` says of each type T, with `separator` between.

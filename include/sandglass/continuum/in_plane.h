@@ -2,8 +2,8 @@
 #define sandglass_continuum_in_plane_h
 
 #include <sandglass/continuum/formulation.h>
-#include <sandglass/continuum/in_plane_increment.h>
 #include <sandglass/continuum/in_plane_gradient_operator.h>
+#include <sandglass/continuum/in_plane_increment.h>
 
 #include <array>
 #include <cmath>

@@ -30,16 +30,15 @@ namespace Sandglass
              const double       hoop_share)
     {
       gradients.col(v) << gradient[0], gradient[1];
-      hoop[v]          = hoop_share;
-      has_hoop         = has_hoop || hoop_share != 0.;
+      hoop[v]  = hoop_share;
+      has_hoop = has_hoop || hoop_share != 0.;
     }
 
     /// To gradients with respect to the configuration that H leads to.
     void
     move_reference(const Gradient5 &H)
     {
-      const Eigen::Matrix2d cofactor =
-        InPlaneResponse::in_plane_cofactor(H);
+      const Eigen::Matrix2d cofactor = InPlaneResponse::in_plane_cofactor(H);
       gradients = (cofactor / cofactor.determinant() * gradients).eval();
       hoop /= 1. + H[GradientComponent::hoop];
     }

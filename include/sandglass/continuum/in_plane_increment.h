@@ -13,8 +13,8 @@ namespace Sandglass
   struct InPlaneIncrement
   {
     SymmetricComponents<4, Number> strain; ///< tensor components
-    InPlaneRotation<Number>    rotation;
-    Number                    jacobian;
+    InPlaneRotation<Number>        rotation;
+    Number                         jacobian;
 
     /**
      * @param gradient  of the displacement increment, du_i/dx_j as [i][j], x at
@@ -38,8 +38,8 @@ namespace Sandglass
       const Number middle_spin     = spin(middle_gradient);
       set_strain(middle_gradient, hoop / (Number(1.) + Number(0.5) * hoop));
       rotation = InPlaneRotation<Number>::hughes_winget(middle_spin);
-      strain =
-        rotate(strain, InPlaneRotation<Number>::half_hughes_winget(middle_spin));
+      strain   = rotate(strain,
+                      InPlaneRotation<Number>::half_hughes_winget(middle_spin));
     }
 
     /// tr(strain)

@@ -63,7 +63,7 @@ namespace Sandglass
     static InPlaneIncrement<double>
     increment(const Gradient5 &H)
     {
-      namespace G = GradientComponent;
+      namespace G                 = GradientComponent;
       const double gradient[2][2] = {{H[G::xx], H[G::xy]},
                                      {H[G::yx], H[G::yy]}};
       return {gradient, H[G::hoop]};

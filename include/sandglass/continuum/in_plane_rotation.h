@@ -44,7 +44,8 @@ namespace Sandglass
     }
   };
 
-  /// @tparam Rotation  InPlaneRotation of the stress's number type, or of double
+  /// @tparam Rotation  InPlaneRotation of the stress's number type, or of
+  /// double
   ///                   for a rotation that all lanes share.
   template <typename Number, typename Rotation>
   SymmetricComponents<4, Number>

@@ -17,7 +17,8 @@ namespace Sandglass
    *
    * All functions here take any number n of components of at least four.
    *
-   * @tparam Number  double for one tensor, Lanes for those of several particles.
+   * @tparam Number  double for one tensor, Lanes for those of several
+   * particles.
    */
   template <int n, typename Number = double>
   using SymmetricComponents = Eigen::Matrix<Number, n, 1>;

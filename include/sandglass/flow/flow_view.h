@@ -51,6 +51,13 @@ namespace Sandglass
     Tensor<1, 3> normal;   ///< outward from the material
     double       area;     ///< in m^2 (plane strain: per metre of depth)
     Tensor<1, 3> impulse;  ///< on the material, in N s (per metre of depth)
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &wall &vertex &position &normal &area &impulse;
+    }
   };
 
   /// The records of this rank's nodes.

@@ -1,9 +1,9 @@
 #ifndef sandglass_material_drucker_prager_h
 #define sandglass_material_drucker_prager_h
 
+#include <sandglass/continuum/material_tangent.h>
 #include <sandglass/material/elasticity.h>
 #include <sandglass/material/material_constants.h>
-#include <sandglass/continuum/material_tangent.h>
 #include <sandglass/material/state_variable.h>
 
 #include <algorithm>
@@ -51,9 +51,10 @@ namespace Sandglass
     {}
 
     explicit DruckerPrager(const MaterialConstants &constants)
-      : DruckerPrager(
-          Elasticity(constants.young_modulus, constants.poisson_ratio),
-          constants.internal_friction_angle * 3.14159265358979323846 / 180.)
+      : DruckerPrager(Elasticity(constants.young_modulus,
+                                 constants.poisson_ratio),
+                      constants.internal_friction_angle *
+                        3.14159265358979323846 / 180.)
     {}
 
     /// State variables of unstressed material: none.
@@ -75,7 +76,8 @@ namespace Sandglass
      * Add the prediction to a stress, and project the result onto the
      * admissible stresses (three-case formula of Section 4.1).
      *
-     * @param[in,out] stress  at the start of the step, turned, in Pa; at its end.
+     * @param[in,out] stress  at the start of the step, turned, in Pa; at its
+     * end.
      * @return the plastic work per volume in J/m^3, stress : plastic strain
      *         increment.
      */
@@ -131,7 +133,8 @@ namespace Sandglass
      * projection's derivative is zero or doesn't exist.
      *
      * @param stress  at the increment's start, turned, in Pa.
-     * @param elastic_share  from 0, the derivative, to 1, the elastic stiffness.
+     * @param elastic_share  from 0, the derivative, to 1, the elastic
+     * stiffness.
      */
     template <int n, typename State, typename Increment>
     MaterialTangent<n>
@@ -219,10 +222,11 @@ namespace Sandglass
           // The apex of the cone. Laterally confined compression, elastic with
           // q / p = 2 G / K, leaves it along the yield surface if that is
           // steeper: take its secant, which scales the deviator.
-          const double                 ratio = std::min(1.,
-                                        yield_slope * elasticity.bulk_modulus() /
-                                          (2. * elasticity.shear_modulus));
-          const SymmetricComponents<n> one   = isotropic<n>(1.);
+          const double ratio =
+            std::min(1.,
+                     yield_slope * elasticity.bulk_modulus() /
+                       (2. * elasticity.shear_modulus));
+          const SymmetricComponents<n> one = isotropic<n>(1.);
           return ratio * identity + (1. - ratio) / 3. * one * one.transpose();
         }
       if (pressure(trial_stress) <= 0.)

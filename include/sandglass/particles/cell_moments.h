@@ -42,8 +42,7 @@ namespace Sandglass
   /// @param points  of the particles, see seed_points().
   template <typename Kinematics, typename Shape>
   CellMoments<Shape::dim>
-  cell_moments(const Shape                          &shape,
-               const std::vector<Point<Shape::dim>> &points)
+  cell_moments(const Shape &shape, const std::vector<Point<Shape::dim>> &points)
   {
     CellMoments<Shape::dim> moments{};
     for (const auto &point : points)

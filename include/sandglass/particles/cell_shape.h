@@ -16,8 +16,8 @@ namespace Sandglass
   /**
    * Geometry and linear shape functions of one cell, in the numbering of
    * deal.II's reference cells. Specialised for each cell type with the same
-   * members (`dim` among them), of which the first four also take the points of Lanes of
-   * particles:
+   * members (`dim` among them), of which the first four also take the points of
+   * Lanes of particles:
    *
    * - shape_values(reference_point): N_i, one per node;
    * - shape_gradients(reference_point): dN_i/dx in 1/m;

@@ -266,16 +266,16 @@ namespace Sandglass
 
     const std::vector<unsigned int> cells_in_order;
 
-    std::vector<Block> blocks;
-    std::vector<Link>          links;
-    std::vector<unsigned int>  first;  ///< block of each cell
-    std::vector<unsigned int>  unused; ///< blocks
-    unsigned int               n_stored = 0;
-    unsigned int               n_added  = 0; ///< blocks since sort()
+    std::vector<Block>        blocks;
+    std::vector<Link>         links;
+    std::vector<unsigned int> first;  ///< block of each cell
+    std::vector<unsigned int> unused; ///< blocks
+    unsigned int              n_stored = 0;
+    unsigned int              n_added  = 0; ///< blocks since sort()
 
     /// Kept between calls to avoid allocation.
     std::vector<Block> sorted_blocks;
-    std::vector<Link>          sorted_links;
+    std::vector<Link>  sorted_links;
   };
 } // namespace Sandglass
 

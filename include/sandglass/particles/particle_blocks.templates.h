@@ -61,14 +61,13 @@ namespace Sandglass
   ParticleBlocks<Layout>::parcel(const ParticleSlot &slot) const
   {
     const Block &block = blocks[slot.block];
-    Parcel               result;
+    Parcel       result;
     result.cell            = slot.cell;
     result.id              = id(slot);
     result.location        = block.point(Block::location, slot.lane);
     result.reference_point = block.point(Block::reference, slot.lane);
     for (unsigned int p = 0; p < Layout::n_properties; ++p)
-      result.properties[p] =
-        block.values[Block::properties + p][slot.lane];
+      result.properties[p] = block.values[Block::properties + p][slot.lane];
     return result;
   }
 
@@ -76,16 +75,14 @@ namespace Sandglass
 
   template <typename Layout>
   void
-  ParticleBlocks<Layout>::overwrite(const ParticleSlot &slot, const Parcel &parcel)
+  ParticleBlocks<Layout>::overwrite(const ParticleSlot &slot,
+                                    const Parcel       &parcel)
   {
     Block &block = blocks[slot.block];
     block.set_point(Block::location, slot.lane, parcel.location);
-    block.set_point(Block::reference,
-                    slot.lane,
-                    parcel.reference_point);
+    block.set_point(Block::reference, slot.lane, parcel.reference_point);
     for (unsigned int p = 0; p < Layout::n_properties; ++p)
-      block.values[Block::properties + p][slot.lane] =
-        parcel.properties[p];
+      block.values[Block::properties + p][slot.lane] = parcel.properties[p];
     links[slot.block].ids[slot.lane] = parcel.id;
     if (slot.lane == 0)
       fill_empty_lanes(slot.block);

@@ -30,9 +30,7 @@ namespace Sandglass
     : scene(scene)
     , particle_blocks(scene.triangulation.n_active_cells(),
                       indices_of_owned_cells(scene))
-    , particle_handler(scene.triangulation,
-                       scene.mapping,
-                       Layout::n_properties)
+    , particle_handler(scene.triangulation, scene.mapping, Layout::n_properties)
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       cells_all.push_back(cell);
@@ -132,7 +130,7 @@ namespace Sandglass
   template <typename Layout>
   void
   ParticleCloud<Layout>::insert(const std::vector<Parcel> &parcels,
-                        std::vector<ParticleSlot> &arrivals)
+                                std::vector<ParticleSlot> &arrivals)
   {
     arrivals.clear();
     handler_is_current = false;

@@ -23,9 +23,9 @@ namespace Sandglass
     {
       mass         = 0, ///< in kg (plane strain: per metre of depth)
       velocity     = 1, ///< in m/s
-      stress       = velocity + dim, ///< see SymmetricComponents, in Pa
+      stress       = velocity + dim,        ///< see SymmetricComponents, in Pa
       density      = stress + n_components, ///< in kg/m^3
-      law_state    = density + 1, ///< see StateVariable
+      law_state    = density + 1,           ///< see StateVariable
       n_properties = law_state + n_law_numbers
     };
   };

@@ -14,11 +14,11 @@ namespace Sandglass
 
     static constexpr int dim = Layout::dim;
 
-    std::array<Number, dim>                           location;  ///< in m
-    std::array<Number, dim>                           reference; ///< in the cell
-    Number                                            mass;      ///< in kg
-    std::array<Number, dim>                           velocity;  ///< in m/s
-    SymmetricComponents<Layout::n_components, Number> stress;    ///< in Pa
+    std::array<Number, dim> location;                          ///< in m
+    std::array<Number, dim> reference;                         ///< in the cell
+    Number                  mass;                              ///< in kg
+    std::array<Number, dim> velocity;                          ///< in m/s
+    SymmetricComponents<Layout::n_components, Number> stress;  ///< in Pa
     Number                                            density; ///< in kg/m^3
     std::array<Number, Layout::n_law_numbers>         law_state;
 
@@ -69,10 +69,11 @@ namespace Sandglass
   load_state(const ParticleBlock<Layout> &block, const unsigned int lane)
   {
     ParticleState<Layout, double> state;
-    for_each_changing_number(
-      state, [&block, lane](double &number, const unsigned int q) {
-        number = block.values[q][lane];
-      });
+    for_each_changing_number(state,
+                             [&block, lane](double            &number,
+                                            const unsigned int q) {
+                               number = block.values[q][lane];
+                             });
     state.mass = block.values[ParticleBlock<Layout>::mass][lane];
     return state;
   }
@@ -83,10 +84,11 @@ namespace Sandglass
   store_state(const ParticleState<Layout, Lanes> &state,
               ParticleBlock<Layout>              &block)
   {
-    for_each_changing_number(
-      state, [&block](const Lanes &number, const unsigned int q) {
-        block.store(q, number);
-      });
+    for_each_changing_number(state,
+                             [&block](const Lanes       &number,
+                                      const unsigned int q) {
+                               block.store(q, number);
+                             });
   }
 } // namespace Sandglass
 

@@ -81,6 +81,15 @@ namespace Sandglass
       return is_simplex(cell_type) ? dim : most_vertices_per_cell / 2;
     }
 
+    /// The physical group's name in a mesh file.
+    std::string
+    name_of(const Face &face) const
+    {
+      return face.named_wall == standard_part ?
+               std::string(Sandglass::name_of(face.role)) :
+               named_walls[face.named_wall];
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

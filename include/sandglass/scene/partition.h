@@ -46,7 +46,7 @@ namespace Sandglass
    */
   template <int dim>
   std::unique_ptr<parallel::TriangulationBase<dim>>
-  partition(const Mesh<dim>                      &mesh,
+  partition(const Mesh<dim>                 &mesh,
             const std::vector<unsigned int> &weights,
             const Partitioner                partitioner,
             const MPI_Comm                   communicator);

@@ -18,6 +18,13 @@ namespace Sandglass
     double                 area;   ///< in m^2 (plane: per m of depth)
     dealii::Tensor<1, dim> force;  ///< on the material, in N (per m of depth)
 
+    /// In N, compression positive.
+    double
+    normal_force() const
+    {
+      return -(force * normal);
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

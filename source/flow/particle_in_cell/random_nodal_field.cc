@@ -59,8 +59,9 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template void fill_with_random_numbers<dim>(NodalField<dim> &, const Scene<dim> &);
+#define INSTANTIATE(dim)                                         \
+  template void fill_with_random_numbers<dim>(NodalField<dim> &, \
+                                              const Scene<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

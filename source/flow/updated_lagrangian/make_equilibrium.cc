@@ -1,5 +1,4 @@
 #include <sandglass/choices.h>
-#include <sandglass/choices.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 
 namespace Sandglass
@@ -16,9 +15,8 @@ namespace Sandglass
       choose_law(material.model, [&](const auto law) {
         using Kinematics = typename decltype(kinematics)::Type;
         using Law        = typename decltype(law)::Type;
-        equilibrium =
-          std::make_unique<MaterialEquilibrium<Kinematics, Law>>(
-            grid, Law(material), material.density, gravity);
+        equilibrium = std::make_unique<MaterialEquilibrium<Kinematics, Law>>(
+          grid, Law(material), material.density, gravity);
       });
     });
     return equilibrium;
@@ -26,9 +24,12 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                    \
-  template std::unique_ptr<Equilibrium<dim>> \
-  make_equilibrium<dim>(const FilledGrid<dim> &, const Formulation, const MaterialParameters &, const Tensor<1, dim> &);
+#define INSTANTIATE(dim)                                            \
+  template std::unique_ptr<Equilibrium<dim>> make_equilibrium<dim>( \
+    const FilledGrid<dim> &,                                        \
+    const Formulation,                                              \
+    const MaterialParameters &,                                     \
+    const Tensor<1, dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

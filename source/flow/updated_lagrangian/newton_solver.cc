@@ -68,7 +68,8 @@ namespace Sandglass
 
     template <int dim>
     std::unique_ptr<TangentPreconditioner<dim>>
-    make_preconditioner(const FilledGrid<dim> &grid, const TangentMatrix<dim> &tangent)
+    make_preconditioner(const FilledGrid<dim>    &grid,
+                        const TangentMatrix<dim> &tangent)
     {
       if (tangent.storage == TangentStorage::columns)
         return std::make_unique<TangentFactors<dim>>(tangent);
@@ -79,10 +80,10 @@ namespace Sandglass
 
 
   template <int dim>
-  NewtonSolver<dim>::NewtonSolver(const FilledGrid<dim>            &grid,
-                             Equilibrium<dim>                 &equilibrium,
-                             WallContact<dim>                 &contact,
-                             const StaticStageParameters &parameters)
+  NewtonSolver<dim>::NewtonSolver(const FilledGrid<dim>       &grid,
+                                  Equilibrium<dim>            &equilibrium,
+                                  WallContact<dim>            &contact,
+                                  const StaticStageParameters &parameters)
     : grid(grid)
     , equilibrium(equilibrium)
     , contact(contact)
@@ -123,8 +124,8 @@ namespace Sandglass
   template <int dim>
   void
   NewtonSolver<dim>::move(const Vector &increment,
-                     const double  factor,
-                     Vector       &result) const
+                          const double  factor,
+                          Vector       &result) const
   {
     result.zero_out_ghost_values();
     result.equ(1., increment);
@@ -137,7 +138,7 @@ namespace Sandglass
   template <int dim>
   bool
   NewtonSolver<dim>::find_step(const double elastic_share,
-                          const double residual_norm)
+                               const double residual_norm)
   {
     equilibrium.assemble_tangent(contact, elastic_share, tangent);
     return tangent_solver.solve(residual,
@@ -195,8 +196,8 @@ namespace Sandglass
   template <int dim>
   NewtonResult
   NewtonSolver<dim>::solve(const Vector &displacement_before,
-                      const double  load_share,
-                      Vector       &increment)
+                           const double  load_share,
+                           Vector       &increment)
   {
     this->displacement_before = &displacement_before;
     this->load_share          = load_share;
@@ -240,8 +241,7 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template class NewtonSolver<dim>;
+#define INSTANTIATE(dim) template class NewtonSolver<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

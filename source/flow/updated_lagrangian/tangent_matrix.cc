@@ -35,7 +35,8 @@ namespace Sandglass
 
 
   template <int dim>
-  TangentMatrix<dim>::TangentMatrix(const FilledGrid<dim> &grid, const Storage storage)
+  TangentMatrix<dim>::TangentMatrix(const FilledGrid<dim> &grid,
+                                    const Storage          storage)
     : storage(storage)
     , sparse_matrix(make_sparsity(grid))
     , dofs_per_cell(grid.finite_element.n_dofs_per_cell())
@@ -98,7 +99,7 @@ namespace Sandglass
   template <int dim>
   void
   TangentMatrix<dim>::add(const unsigned int                      cell_number,
-                     const Eigen::Ref<const Eigen::MatrixXd> cell_matrix)
+                          const Eigen::Ref<const Eigen::MatrixXd> cell_matrix)
   {
     const unsigned int *position =
       &positions[cell_number * dofs_per_cell * dofs_per_cell];
@@ -113,8 +114,8 @@ namespace Sandglass
   template <int dim>
   void
   TangentMatrix<dim>::add(const types::global_dof_index row,
-                     const types::global_dof_index column,
-                     const double                  value)
+                          const types::global_dof_index column,
+                          const double                  value)
   {
     const Epetra_CrsMatrix &matrix         = sparse_matrix.trilinos_matrix();
     const auto [stored_row, stored_column] = storage == Storage::rows ?
@@ -132,7 +133,7 @@ namespace Sandglass
   template <int dim>
   void
   TangentMatrix<dim>::vmult(DisplacementVector       &result,
-                       const DisplacementVector &vector) const
+                            const DisplacementVector &vector) const
   {
     if (storage == Storage::rows)
       sparse_matrix.vmult(result, vector);
@@ -142,8 +143,7 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template class TangentMatrix<dim>;
+#define INSTANTIATE(dim) template class TangentMatrix<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -53,7 +53,8 @@ namespace Sandglass
 
   template <int dim>
   void
-  TangentFactors<dim>::vmult(DisplacementVector &solution, const DisplacementVector &right_side)
+  TangentFactors<dim>::vmult(DisplacementVector       &solution,
+                             const DisplacementVector &right_side)
   {
     Epetra_Vector x(View, matrix.DomainMap(), solution.begin());
     Epetra_Vector b(View,
@@ -69,7 +70,7 @@ namespace Sandglass
 
   template <int dim>
   TangentMultigrid<dim>::TangentMultigrid(const FilledGrid<dim>    &grid,
-                                     const TangentMatrix<dim> &tangent)
+                                          const TangentMatrix<dim> &tangent)
     : TangentPreconditioner<dim>(cost_of_multigrid, most_multigrid_iterations)
     , tangent(tangent)
   {
@@ -99,14 +100,15 @@ namespace Sandglass
 
   template <int dim>
   void
-  TangentMultigrid<dim>::vmult(DisplacementVector &solution, const DisplacementVector &right_side)
+  TangentMultigrid<dim>::vmult(DisplacementVector       &solution,
+                               const DisplacementVector &right_side)
   {
     multigrid.vmult(solution, right_side);
   }
 
 
 
-#define INSTANTIATE(dim) \
+#define INSTANTIATE(dim)              \
   template class TangentFactors<dim>; \
   template class TangentMultigrid<dim>;
 

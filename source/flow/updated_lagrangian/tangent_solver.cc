@@ -30,8 +30,8 @@ namespace Sandglass
   template <int dim>
   bool
   TangentSolver<dim>::solve(const Vector &right_side,
-                       const double  tolerance,
-                       Vector       &solution)
+                            const double  tolerance,
+                            Vector       &solution)
   {
     // The preconditioner ages. An update is due when the last solution took
     // more iterations than one does on average, the update's cost shared out.
@@ -47,8 +47,8 @@ namespace Sandglass
   template <int dim>
   bool
   TangentSolver<dim>::iterate(const Vector &right_side,
-                         const double  tolerance,
-                         Vector       &solution)
+                              const double  tolerance,
+                              Vector       &solution)
   {
     solution.zero_out_ghost_values();
     solution            = 0.;
@@ -116,8 +116,7 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim) \
-  template class TangentSolver<dim>;
+#define INSTANTIATE(dim) template class TangentSolver<dim>;
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -190,7 +190,8 @@ namespace Sandglass
     {
       Deformation<double> own;
       /// With the averaged rate.
-      std::conditional_t<is_averaged, Deformation<double>, Nothing> with_average;
+      std::conditional_t<is_averaged, Deformation<double>, Nothing>
+        with_average;
     };
 
     const Shape            &shape;

@@ -192,8 +192,7 @@ namespace Sandglass
       result.gradients = shape.shape_gradients(point);
       if constexpr (Setting::has_hoop_strain)
         {
-          const double radius =
-            shape.to_real(point_of(point))[0];
+          const double radius       = shape.to_real(point_of(point))[0];
           result.values_over_radius = Shape::shape_values(point);
           const double per_radius   = 1. / radius;
           for (double &value : result.values_over_radius)

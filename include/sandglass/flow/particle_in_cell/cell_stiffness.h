@@ -107,9 +107,8 @@ namespace Sandglass
     using Matrix                = Eigen::Matrix<double, n_dofs, n_dofs>;
     using Vector                = Eigen::Matrix<double, n_dofs, 1>;
     /// For each pair of nodes i <= j what displacement of j does to i.
-    using NodePairs =
-      std::array<std::array<std::array<Lanes, dim>, dim>,
-                 n_nodes *(n_nodes + 1) / 2>;
+    using NodePairs = std::array<std::array<std::array<Lanes, dim>, dim>,
+                                 n_nodes *(n_nodes + 1) / 2>;
 
     static Eigen::Map<Vector>
     as_vector(OfNodes &values)
@@ -129,7 +128,7 @@ namespace Sandglass
     {
       Elasticity largest(0., 0.);
       blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-        const auto state = load_state(blocks[slot.block], slot.lane);
+        const auto       state = load_state(blocks[slot.block], slot.lane);
         const Elasticity bound =
           law.stiffness_bound(state.stress, state.law_state);
         largest.lame_modulus =
@@ -193,9 +192,9 @@ namespace Sandglass
 
     /**
      * V B^T C B for particles side by side: in terms of the nodes' shape
-     * functions N, their gradients g and h = N / x, and with t = g, to which h is
-     * added in x, for the trace of the strain, it is the sum of lambda t_i t_j^T,
-     * G g_j g_i^T, G g_i . g_j on the diagonal, and 2 G h_i h_j for x.
+     * functions N, their gradients g and h = N / x, and with t = g, to which h
+     * is added in x, for the trace of the strain, it is the sum of lambda t_i
+     * t_j^T, G g_j g_i^T, G g_i . g_j on the diagonal, and 2 G h_i h_j for x.
      */
     void
     add_particles(const State      &state,
@@ -250,7 +249,7 @@ namespace Sandglass
     const Law               law;
     const Geometry         &geometry;
     std::vector<Elasticity> of_cells; ///< one, if all cells have the same
-    std::vector<Matrix>     matrices; ///< of each cell, unless strain is uniform
+    std::vector<Matrix> matrices; ///< of each cell, unless strain is uniform
   };
 } // namespace Sandglass
 

@@ -56,10 +56,10 @@ namespace Sandglass
       stiff_volume = momentum + dim * n_nodes, ///< of stressed particles, m^3
       stress       = stiff_volume + 1, ///< times volume, see force_components
       moment       = stress + n_force_components, ///< mean_point()
-      force  = moment + (Setting::has_uniform_strain ? 0 : dim), ///< in N
-      n_sums = force + (Setting::has_uniform_strain     ? 0 :
-                        Setting::has_constant_gradients ? n_nodes :
-                                                          dim * n_nodes)
+      force        = moment + (Setting::has_uniform_strain ? 0 : dim), ///< in N
+      n_sums       = force + (Setting::has_uniform_strain     ? 0 :
+                              Setting::has_constant_gradients ? n_nodes :
+                                                                dim * n_nodes)
     };
 
     std::array<Number, n_sums> values;
@@ -151,7 +151,8 @@ namespace Sandglass
       OfNodes result;
       if constexpr (Setting::has_constant_gradients)
         {
-          const auto gradients = shape.shape_gradients(typename Setting::template Vector<>());
+          const auto gradients =
+            shape.shape_gradients(typename Setting::template Vector<>());
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               result[i] =
@@ -191,7 +192,7 @@ namespace Sandglass
     }
 
     void
-    add_mass_and_momentum(const State                             &state,
+    add_mass_and_momentum(const State                       &state,
                           const std::array<Number, n_nodes> &shape_values)
     {
       for (unsigned int i = 0; i < n_nodes; ++i)
@@ -210,7 +211,7 @@ namespace Sandglass
      * strain the part of the row N_i / x of B.
      */
     void
-    add_force(const State                             &state,
+    add_force(const State                       &state,
               const Number                      &volume,
               const std::array<Number, n_nodes> &shape_values,
               const Shape                       &shape)
@@ -242,7 +243,7 @@ namespace Sandglass
               Vector direction;
               for (unsigned int e = 0; e < dim; ++e)
                 direction[e] = along[e][d];
-              const auto         of_nodes =
+              const auto of_nodes =
                 Shape::derivatives_along(direction, state.reference);
               for (unsigned int i = 0; i < n_nodes; ++i)
                 values[force + dim * i + d] += of_nodes[i];

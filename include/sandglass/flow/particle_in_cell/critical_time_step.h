@@ -82,12 +82,12 @@ namespace Sandglass
      * @return the critical step in s, infinity if nothing is stiff. Collective.
      */
     double
-    compute(const Blocks                     &blocks,
-            const NodalSums<Setting>                 &cells,
-            MassMatrix<Setting>                      &mass_matrix,
-            const Contact<dim>                            &contact,
+    compute(const Blocks             &blocks,
+            const NodalSums<Setting> &cells,
+            MassMatrix<Setting>      &mass_matrix,
+            const Contact<dim>       &contact,
             const NodalSumField<dim> &sums,
-            const unsigned int                        n_iterations)
+            const unsigned int        n_iterations)
     {
       AssertIndexRange(n_iterations, max_iterations + 1);
       set_first_direction(sums);
@@ -168,8 +168,7 @@ namespace Sandglass
      * @return the norm of the direction before.
      */
     double
-    multiply_by_stiffness(const Blocks     &blocks,
-                          const NodalSums<Setting> &cells)
+    multiply_by_stiffness(const Blocks &blocks, const NodalSums<Setting> &cells)
     {
       direction.update_ghosts();
       force.start_sum();
@@ -187,10 +186,10 @@ namespace Sandglass
 
     /// mapped = G force; returns force^T G force.
     double
-    accelerate_force(const Blocks                     &blocks,
-                     const NodalSums<Setting>                 &cells,
-                     MassMatrix<Setting>                      &mass_matrix,
-                     const Contact<dim>                            &contact,
+    accelerate_force(const Blocks             &blocks,
+                     const NodalSums<Setting> &cells,
+                     MassMatrix<Setting>      &mass_matrix,
+                     const Contact<dim>       &contact,
                      const NodalSumField<dim> &sums)
     {
       accelerate(mass_matrix, contact, sums, force);
@@ -225,10 +224,10 @@ namespace Sandglass
 
     /// field = M^-1 field where nodes may move, ghosts updated.
     void
-    accelerate(MassMatrix<Setting>                      &mass_matrix,
-               const Contact<dim>                            &contact,
+    accelerate(MassMatrix<Setting>      &mass_matrix,
+               const Contact<dim>       &contact,
                const NodalSumField<dim> &sums,
-               NodalField<dim>                          &field) const
+               NodalField<dim>          &field) const
     {
       const auto release = [&contact](NodalField<dim> &values) {
         contact.release_always_held(values);

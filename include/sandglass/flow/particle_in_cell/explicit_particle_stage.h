@@ -44,13 +44,14 @@ namespace Sandglass
                    parameters.force_integration == ForceIntegration::cell ?
                      initial_configuration.points :
                      std::vector<Point<dim>>())
-      , volumetric_average(
-          *scene.nodes,
-          geometry,
-          parameters.density_update == DensityUpdate::separation ?
-            material.density :
-            0.,
-          parameters.volumetric_strain == VolumetricStrain::averaged)
+      , volumetric_average(*scene.nodes,
+                           geometry,
+                           parameters.density_update ==
+                               DensityUpdate::separation ?
+                             material.density :
+                             0.,
+                           parameters.volumetric_strain ==
+                             VolumetricStrain::averaged)
       , relocation(scene, geometry, walls, parameters, removed)
       , splitting(geometry,
                   initial_configuration,
@@ -147,11 +148,10 @@ namespace Sandglass
     double
     pass()
     {
-      return ParticlePass<Setting, is_averaged>(
-               geometry,
-               stress_update,
-               parameters.stress_integration,
-               time.time_step)
+      return ParticlePass<Setting, is_averaged>(geometry,
+                                                stress_update,
+                                                parameters.stress_integration,
+                                                time.time_step)
         .run(cloud.change_blocks(),
              fields.acceleration,
              fields.mapped_velocity,
@@ -274,7 +274,7 @@ namespace Sandglass
     set_initial_state(const InitialStateFunction<dim>  &initial_state,
                       Particles::ParticleAccessor<dim> &particle) const override
     {
-      const auto              cell    = particle.get_surrounding_cell();
+      const auto              cell = particle.get_surrounding_cell();
       const InitialState<dim> initial =
         initial_state(cell->active_cell_index(),
                       particle.get_reference_location());
@@ -314,9 +314,9 @@ namespace Sandglass
     void
     seed_particles()
     {
-      const auto        &points = initial_configuration.points;
-      const unsigned int n      = points.size();
-      const auto law_state      = stress_update.law.initial_state();
+      const auto        &points    = initial_configuration.points;
+      const unsigned int n         = points.size();
+      const auto         law_state = stress_update.law.initial_state();
       for (const auto &cell : cloud.owned_cells())
         {
           const unsigned int index = cell->active_cell_index();
@@ -364,8 +364,9 @@ namespace Sandglass
       return critical.local_eigenvalue(fields.sums);
     }
 
-    const CellGeometry<Setting::cell_type>                     geometry;
-    const InitialConfiguration<Kinematics, Setting::cell_type> initial_configuration;
+    const CellGeometry<Setting::cell_type> geometry;
+    const InitialConfiguration<Kinematics, Setting::cell_type>
+                               initial_configuration;
     const double               unstressed_density;
     const StressUpdate<Law>    stress_update;
     NodalSums<Setting>         nodal_sums;

@@ -7,8 +7,8 @@ namespace Sandglass
 {
   /**
    * The particle stage of one kinematics and cell type, with the law that the
-   * parameters name. Defined in make_particle_stage.templates.h and instantiated
-   * by cmake/choices.cmake.
+   * parameters name. Defined in make_particle_stage.templates.h and
+   * instantiated by cmake/choices.cmake.
    */
   template <typename Kinematics, CellType cell_type>
   std::unique_ptr<DynamicFlow<Kinematics::dim>>

@@ -31,10 +31,10 @@ namespace Sandglass
     using Geometry = CellGeometry<Setting::cell_type>;
     using Blocks   = ParticleBlocks<Layout>;
 
-    ParticlePass(const Geometry                     &geometry,
+    ParticlePass(const Geometry          &geometry,
                  const StressUpdate<Law> &stress_update,
-                 const StressIntegration             integration,
-                 const double                        time_step)
+                 const StressIntegration  integration,
+                 const double             time_step)
       : geometry(geometry)
       , stress_update(stress_update)
       , integration(integration)
@@ -115,12 +115,12 @@ namespace Sandglass
       cell_sums.clear();
       volumetric_sums.clear();
       blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
-        ParticleState<Layout, Lanes> state  = load_state(blocks[block]);
-        const auto           values = Shape::shape_values(state.reference);
+        ParticleState<Layout, Lanes> state = load_state(blocks[block]);
+        const auto values = Shape::shape_values(state.reference);
         accelerate(interpolate(accelerations, values), time_step, state);
 
         const auto  velocity = interpolate(velocities, values);
-        const Lanes       work_density =
+        const Lanes work_density =
           stress_update(state, deformation(state, velocity));
         dissipation += state.volume() * work_density;
 
@@ -145,23 +145,22 @@ namespace Sandglass
     }
 
     static void
-    add_strays(const Lanes::Mask    &is_inside,
-               ParticleSlot          slot,
-               const Blocks         &blocks,
-               Strays<Layout>       &strays)
+    add_strays(const Lanes::Mask &is_inside,
+               ParticleSlot       slot,
+               const Blocks      &blocks,
+               Strays<Layout>    &strays)
     {
       for (slot.lane = blocks.n_lanes(slot.block); slot.lane-- > 0;)
         if (!is_inside[slot.lane])
           strays.add(slot);
     }
 
-    const Geometry                     &geometry;
+    const Geometry          &geometry;
     const StressUpdate<Law> &stress_update;
-    const StressIntegration             integration;
-    const double                        time_step;
+    const StressIntegration  integration;
+    const double             time_step;
 
-    static constexpr double smallest_distance =
-      Relocation<Setting>::margin;
+    static constexpr double smallest_distance = Relocation<Setting>::margin;
   };
 } // namespace Sandglass
 

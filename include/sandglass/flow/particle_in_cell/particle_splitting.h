@@ -95,8 +95,9 @@ namespace Sandglass
       if (!is_on)
         return;
       for (unsigned int cell = 0; cell < geometry.n_cells(); ++cell)
-        largest_mass.push_back(largest_share * full_density *
-                               largest_seeded_volume(initial_configuration, cell));
+        largest_mass.push_back(
+          largest_share * full_density *
+          largest_seeded_volume(initial_configuration, cell));
     }
 
     bool
@@ -146,10 +147,8 @@ namespace Sandglass
       large.clear();
       blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
         const auto is_large =
-          (blocks[block].load(Block::mass) >
-           Lanes(largest_mass[cell])) &
-          (blocks[block].load(Block::density) >=
-           Lanes(smallest_density));
+          (blocks[block].load(Block::mass) > Lanes(largest_mass[cell])) &
+          (blocks[block].load(Block::density) >= Lanes(smallest_density));
         if (any(is_large))
           for (unsigned int lane = 0; lane < blocks.n_lanes(block); ++lane)
             if (is_large[lane])
@@ -162,9 +161,9 @@ namespace Sandglass
     principal_extension(const unsigned int     cell,
                         const NodalField<dim> &velocity) const
     {
-      const auto gradient =
-        gradient_of(gather(velocity, geometry.nodes(cell)),
-                    geometry.shape(cell).shape_gradients(point_within<Shape>()));
+      const auto gradient = gradient_of(gather(velocity, geometry.nodes(cell)),
+                                        geometry.shape(cell).shape_gradients(
+                                          point_within<Shape>()));
       return point_of(Kinematics::principal_extension(gradient));
     }
 

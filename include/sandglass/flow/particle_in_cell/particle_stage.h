@@ -61,7 +61,8 @@ namespace Sandglass
       sum_over_particles();
     }
 
-    /// The same for `change(blocks)`, which may change particles where they are.
+    /// The same for `change(blocks)`, which may change particles where they
+    /// are.
     template <typename Change>
     void
     edit_blocks(const Change &change)
@@ -156,7 +157,7 @@ namespace Sandglass
     relocate_strays() = 0;
 
     virtual void
-    set_initial_state(const InitialStateFunction<dim>       &initial_state,
+    set_initial_state(const InitialStateFunction<dim>  &initial_state,
                       Particles::ParticleAccessor<dim> &particle) const = 0;
 
     /// Of the particles' present positions, in s.
@@ -173,7 +174,8 @@ namespace Sandglass
     local_eigenvalue() const = 0;
 
     /// The sums over the particles of each cell, for checkpoints: those that
-    /// steps have added up would be others if they were found anew, by rounding.
+    /// steps have added up would be others if they were found anew, by
+    /// rounding.
     virtual std::vector<double>
     pack_cell_sums() const = 0;
 

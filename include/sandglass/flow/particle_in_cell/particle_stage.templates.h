@@ -26,9 +26,9 @@ namespace Sandglass
 
   template <typename Layout>
   ParticleStage<Layout>::ParticleStage(
-                               const Scene                   &scene,
-                               const WallParameters          &walls,
-                               const ParticleStageParameters &parameters)
+    const Scene                   &scene,
+    const WallParameters          &walls,
+    const ParticleStageParameters &parameters)
     : scene(scene)
     , parameters(parameters)
     , cloud(scene)
@@ -115,8 +115,8 @@ namespace Sandglass
           {
             // A stiff spot that has come once comes again: after it the step
             // recovers slowly.
-            constexpr double growth = 1.005;
-            const double     last   = control.automatic_time_step;
+            constexpr double growth         = 1.005;
+            const double     last           = control.automatic_time_step;
             control.last_critical_time_step = find_critical_time_step();
             control.automatic_time_step =
               parameters.time_step_safety *
@@ -127,10 +127,9 @@ namespace Sandglass
                 std::min(control.automatic_time_step, growth * last);
             control.last_local_eigenvalue = local_eigenvalue();
           }
-        const double known =
-          std::max(control.last_local_eigenvalue,
-                   control.seeded_local_eigenvalue);
-        step = control.automatic_time_step *
+        const double known = std::max(control.last_local_eigenvalue,
+                                      control.seeded_local_eigenvalue);
+        step               = control.automatic_time_step *
                std::sqrt(std::min(1., known / local_eigenvalue()));
       }
     else

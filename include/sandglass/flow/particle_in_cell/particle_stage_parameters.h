@@ -35,7 +35,7 @@ namespace Sandglass
   /// When particles that are too large for their cell are halved.
   enum class SplitParticles
   {
-    never,        ///< as in the paper
+    never,       ///< as in the paper
     where_needed ///< in meshes whose cells differ much in volume
   };
 

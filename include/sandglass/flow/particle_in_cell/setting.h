@@ -23,9 +23,8 @@ namespace Sandglass
     using Shape = CellShape<cell_type>;
     static_assert(Shape::dim == dim);
 
-    using Layout = ParticleLayout<dim,
-                                  Kinematics::n_components,
-                                  n_state_numbers<Law>()>;
+    using Layout =
+      ParticleLayout<dim, Kinematics::n_components, n_state_numbers<Law>()>;
 
     /// A vector in space.
     template <typename Number = double>

@@ -67,7 +67,7 @@ namespace Sandglass
                                  removed.discharged,
                                  removed.lost,
                                  static_cast<double>(particle_steps)};
-    const auto sums =
+    const auto      sums =
       gather_on_first(std::vector<StageSums>{sums_of_rank}, communicator);
 
     std::vector<Parcel> of_rank; // in each cell's order

@@ -91,7 +91,7 @@ namespace Sandglass
       });
     });
 
-    constexpr unsigned int       n = Totals::n_sums;
+    constexpr unsigned int    n = Totals::n_sums;
     std::array<double, n + 4> sums;
     for (unsigned int i = 0; i < n; ++i)
       sums[i] = sum(of_lanes.sums[i]);

@@ -39,17 +39,18 @@ namespace Sandglass
   {
     const Blocks &blocks = cloud.blocks();
     blocks.for_each([&](const ParticleSlot &slot) {
-      const Block  &block = blocks[slot.block];
-      const auto    state = load_state(block, slot.lane);
+      const Block   &block = blocks[slot.block];
+      const auto     state = load_state(block, slot.lane);
       ParticleRecord record;
       record.id       = blocks.id(slot);
       record.location = in_space(block.point(Block::location, slot.lane));
       record.initial_location = in_space(initial_position(record.id));
-      record.velocity         = in_space(
-        static_cast<const Tensor<1, dim> &>(block.point(Block::velocity,
-                                                        slot.lane)));
+      record.velocity         = in_space(static_cast<const Tensor<1, dim> &>(
+        block.point(Block::velocity, slot.lane)));
       record.stress.fill(0.);
-      std::copy(state.stress.begin(), state.stress.end(), record.stress.begin());
+      std::copy(state.stress.begin(),
+                state.stress.end(),
+                record.stress.begin());
       record.mass      = state.mass;
       record.density   = state.density;
       record.law_state = state.law_state.data();
@@ -80,10 +81,9 @@ namespace Sandglass
           continue;
         for (unsigned int n = 0; n < result.nodes_per_cell; ++n)
           {
-            const unsigned int vertex =
-              is_simplex(scene.mesh.cell_type) ?
-                n :
-                GeometryInfo<dim>::ucd_to_deal[n];
+            const unsigned int vertex = is_simplex(scene.mesh.cell_type) ?
+                                          n :
+                                          GeometryInfo<dim>::ucd_to_deal[n];
             const unsigned int node =
               scene.nodes->global_to_local(cell->vertex_dof_index(vertex, 0));
             if (numbers[node] == unknown)
@@ -99,10 +99,11 @@ namespace Sandglass
             result.nodes_of_cells.push_back(numbers[node]);
           }
         std::int64_t n_in_cell = 0;
-        cloud.blocks().for_each_block_in_cell(
-          cell->active_cell_index(), [&](const unsigned int block) {
-            n_in_cell += cloud.blocks().n_lanes(block);
-          });
+        cloud.blocks().for_each_block_in_cell(cell->active_cell_index(),
+                                              [&](const unsigned int block) {
+                                                n_in_cell +=
+                                                  cloud.blocks().n_lanes(block);
+                                              });
         result.cells.push_back({n_in_cell, cell->subdomain_id()});
       }
     return result;

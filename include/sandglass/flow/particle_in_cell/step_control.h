@@ -33,7 +33,7 @@ namespace Sandglass
     serialize(Archive &archive, const unsigned int)
     {
       archive &automatic_time_step &last_local_eigenvalue
-        &last_critical_time_step   &seeded_critical_time_step
+        &last_critical_time_step &seeded_critical_time_step
           &seeded_local_eigenvalue;
     }
   };

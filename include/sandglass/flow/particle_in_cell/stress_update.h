@@ -39,8 +39,8 @@ namespace Sandglass
     {}
 
     /**
-     * @tparam Deformation  ParticleDeformation of the state's number type, or of
-     *                      double where all lanes have the same.
+     * @tparam Deformation  ParticleDeformation of the state's number type, or
+     * of double where all lanes have the same.
      * @return the plastic work of the step per volume, in J/m^3.
      */
     template <typename Layout, typename Number, typename Deformation>

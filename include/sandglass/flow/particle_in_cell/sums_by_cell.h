@@ -92,8 +92,7 @@ namespace Sandglass
             }
           const ParticleSlot &slot = arrivals[n];
           const bool          is_first =
-            slot.lane == 0 &&
-            blocks.next_block(slot.block) == Blocks::none;
+            slot.lane == 0 && blocks.next_block(slot.block) == Blocks::none;
           if (is_first)
             cells[slot.cell].clear();
           cells[slot.cell].add(load_state(blocks[slot.block], slot.lane),

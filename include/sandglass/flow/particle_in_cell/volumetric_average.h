@@ -31,9 +31,9 @@ namespace Sandglass
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
     static constexpr int          dim     = Setting::dim;
 
-    using Geometry = CellGeometry<Setting::cell_type>;
-    using Blocks   = ParticleBlocks<typename Setting::Layout>;
-    using Sums                            = SumsByCell<Setting, VolumetricSums>;
+    using Geometry   = CellGeometry<Setting::cell_type>;
+    using Blocks     = ParticleBlocks<typename Setting::Layout>;
+    using Sums       = SumsByCell<Setting, VolumetricSums>;
     using RateChange = typename CellIntegration<Setting>::RateChange;
 
     /// @param smallest_density  of stressed particles, in kg/m^3.

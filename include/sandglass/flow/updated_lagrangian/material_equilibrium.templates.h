@@ -74,7 +74,7 @@ namespace Sandglass
                             grid.quadrature,
                             update_values | update_gradients |
                               update_quadrature_points | update_JxW_values);
-    auto &nodal_weight = this->nodal_weight;
+    auto         &nodal_weight = this->nodal_weight;
     nodal_weight.zero_out_ghost_values();
     for (const auto &local_cell : grid.local_cells)
       {
@@ -107,18 +107,18 @@ namespace Sandglass
     const unsigned int   index)
   {
     const Point<dim> &position = fe_values.quadrature_point(q);
-    volumes[index]             = fe_values.JxW(q) * Kinematics::measure(position);
+    volumes[index] = fe_values.JxW(q) * Kinematics::measure(position);
     points[index].law_state_before = points[index].law_state =
       law.initial_state();
 
     for (const unsigned int i : fe_values.dof_indices())
       if (grid.component(i) == 0)
-        gradient_operators[index].set_node(
-          i / dim,
-          fe_values.shape_grad(i, q),
-          Kinematics::has_hoop_strain ?
-            fe_values.shape_value(i, q) / position[0] :
-            0.);
+        gradient_operators[index].set_node(i / dim,
+                                           fe_values.shape_grad(i, q),
+                                           Kinematics::has_hoop_strain ?
+                                             fe_values.shape_value(i, q) /
+                                               position[0] :
+                                             0.);
   }
 
 
@@ -173,7 +173,9 @@ namespace Sandglass
   template <typename Kinematics, typename Law>
   template <int n_dofs>
   void
-  MaterialEquilibrium<Kinematics, Law>::add_internal_forces(const Vector &increment, Vector &forces)
+  MaterialEquilibrium<Kinematics, Law>::add_internal_forces(
+    const Vector &increment,
+    Vector       &forces)
   {
     using CellVector = Eigen::Matrix<double, n_dofs, 1>;
     for (const auto &local_cell : grid.local_cells)
@@ -189,7 +191,7 @@ namespace Sandglass
               volumes[index] *
               gradient_operators[index].template nodal_forces<n_dofs>(
                 Kinematics::Response::piola_stress(points[index].stress,
-                                                  points[index].gradient));
+                                                   points[index].gradient));
           }
         add_to(local_cell, cell_force, forces);
       }
@@ -200,8 +202,8 @@ namespace Sandglass
   template <typename Kinematics, typename Law>
   void
   MaterialEquilibrium<Kinematics, Law>::evaluate_forces(const Vector &increment,
-                               const double  load_share,
-                               Vector       &forces)
+                                                        const double load_share,
+                                                        Vector      &forces)
   {
     forces.zero_out_ghost_values();
     forces = 0.;
@@ -218,9 +220,10 @@ namespace Sandglass
   template <typename Kinematics, typename Law>
   template <int n_dofs>
   Eigen::Matrix<double, n_dofs, n_dofs>
-  MaterialEquilibrium<Kinematics, Law>::cell_tangent(const CellAccessor<dim> &cell,
-                            const WallContact<dim>       &contact,
-                            const double             elastic_share) const
+  MaterialEquilibrium<Kinematics, Law>::cell_tangent(
+    const CellAccessor<dim> &cell,
+    const WallContact<dim>  &contact,
+    const double             elastic_share) const
   {
     Eigen::Matrix<double, n_dofs, n_dofs> result;
     result.setZero();
@@ -228,7 +231,7 @@ namespace Sandglass
       {
         const unsigned int   index = grid.point_index(cell, q);
         const MaterialPoint &point = points[index];
-        const auto tangent =
+        const auto           tangent =
           (volumes[index] *
            Kinematics::Response::tangent(point.stress_before,
                                          point.stress,
@@ -251,9 +254,10 @@ namespace Sandglass
   template <typename Kinematics, typename Law>
   template <int n_dofs>
   void
-  MaterialEquilibrium<Kinematics, Law>::add_cell_tangents(const WallContact<dim> &contact,
-                                 const double       elastic_share,
-                                 TangentMatrix<dim>     &matrix) const
+  MaterialEquilibrium<Kinematics, Law>::add_cell_tangents(
+    const WallContact<dim> &contact,
+    const double            elastic_share,
+    TangentMatrix<dim>     &matrix) const
   {
     for (unsigned int i = 0; i < grid.local_cells.size(); ++i)
       matrix.add(i,
@@ -266,9 +270,10 @@ namespace Sandglass
 
   template <typename Kinematics, typename Law>
   void
-  MaterialEquilibrium<Kinematics, Law>::assemble_tangent(const WallContact<dim> &contact,
-                                const double       elastic_share,
-                                TangentMatrix<dim>     &matrix) const
+  MaterialEquilibrium<Kinematics, Law>::assemble_tangent(
+    const WallContact<dim> &contact,
+    const double            elastic_share,
+    TangentMatrix<dim>     &matrix) const
   {
     matrix.set_zero();
     if (has_simplices())

@@ -31,9 +31,9 @@ namespace Sandglass
   public:
     using Vector = DisplacementVector;
 
-    NewtonSolver(const FilledGrid<dim>            &grid,
-                 Equilibrium<dim>                 &equilibrium,
-                 WallContact<dim>                 &contact,
+    NewtonSolver(const FilledGrid<dim>       &grid,
+                 Equilibrium<dim>            &equilibrium,
+                 WallContact<dim>            &contact,
                  const StaticStageParameters &parameters);
 
     using Result = NewtonResult;
@@ -88,16 +88,16 @@ namespace Sandglass
     void
     move(const Vector &increment, const double factor, Vector &result) const;
 
-    const FilledGrid<dim>            &grid;
-    Equilibrium<dim>                 &equilibrium;
-    WallContact<dim>                 &contact;
+    const FilledGrid<dim>       &grid;
+    Equilibrium<dim>            &equilibrium;
+    WallContact<dim>            &contact;
     const StaticStageParameters &parameters;
 
     TangentMatrix<dim> tangent;
     TangentSolver<dim> tangent_solver;
-    Vector        forces, residual, step, trial, displacement;
-    const Vector *displacement_before = nullptr;
-    double        load_share          = 0.;
+    Vector             forces, residual, step, trial, displacement;
+    const Vector      *displacement_before = nullptr;
+    double             load_share          = 0.;
   };
 } // namespace Sandglass
 

@@ -38,7 +38,8 @@ namespace Sandglass
 
     /// Multiply by the inverse of the tangent that update() has taken.
     virtual void
-    vmult(DisplacementVector &solution, const DisplacementVector &right_side) = 0;
+    vmult(DisplacementVector       &solution,
+          const DisplacementVector &right_side) = 0;
 
     const unsigned int update_cost, most_iterations;
   };
@@ -62,7 +63,8 @@ namespace Sandglass
     update() override;
 
     void
-    vmult(DisplacementVector &solution, const DisplacementVector &right_side) override;
+    vmult(DisplacementVector       &solution,
+          const DisplacementVector &right_side) override;
 
   private:
     const Epetra_CrsMatrix            &matrix;
@@ -82,16 +84,18 @@ namespace Sandglass
   {
   public:
     /// @param tangent  stored by rows.
-    TangentMultigrid(const FilledGrid<dim> &grid, const TangentMatrix<dim> &tangent);
+    TangentMultigrid(const FilledGrid<dim>    &grid,
+                     const TangentMatrix<dim> &tangent);
 
     bool
     update() override;
 
     void
-    vmult(DisplacementVector &solution, const DisplacementVector &right_side) override;
+    vmult(DisplacementVector       &solution,
+          const DisplacementVector &right_side) override;
 
   private:
-    const TangentMatrix<dim>                              &tangent;
+    const TangentMatrix<dim>                         &tangent;
     TrilinosWrappers::PreconditionAMG::AdditionalData settings;
     TrilinosWrappers::PreconditionAMG                 multigrid;
   };

@@ -63,8 +63,8 @@ namespace Sandglass
 
     const TangentMatrix<dim>                         &tangent;
     const std::unique_ptr<TangentPreconditioner<dim>> preconditioner;
-    bool                                         is_updated       = false;
-    unsigned int                                 n_all_iterations = 0;
+    bool                                              is_updated       = false;
+    unsigned int                                      n_all_iterations = 0;
     /// Since the preconditioner's update: solutions found, iterations for these
     /// and for the last of them.
     unsigned int n_solutions = 0, n_their_iterations = 0, last_iterations = 0;
