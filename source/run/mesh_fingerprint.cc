@@ -40,18 +40,6 @@ namespace Sandglass
 
 
 
-    /// Of the part of the boundary to which a face belongs.
-    template <int dim>
-    std::string
-    name_of(const Mesh<dim> &mesh, const typename Mesh<dim>::Face &face)
-    {
-      return face.named_wall == Mesh<dim>::standard_part ?
-               std::string(Sandglass::name_of(face.role)) :
-               mesh.named_walls[face.named_wall];
-    }
-
-
-
     template <int dim>
     std::size_t
     hash_boundary(const Mesh<dim> &mesh)
@@ -61,11 +49,7 @@ namespace Sandglass
         {
           for (unsigned int v = 0; v < mesh.vertices_per_face(); ++v)
             boost::hash_combine(seed, face.vertices[v]);
-<<<<<<< HEAD
-          boost::hash_combine(seed, face.boundary_id());
-=======
-          boost::hash_combine(seed, name_of(mesh, face));
->>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
+          boost::hash_combine(seed, mesh.name_of(face));
         }
       return seed;
     }
@@ -90,11 +74,7 @@ namespace Sandglass
     {
       std::map<std::string, unsigned int> count;
       for (const auto &face : mesh.faces)
-<<<<<<< HEAD
         ++count[mesh.name_of(face)];
-=======
-        ++count[name_of(mesh, face)];
->>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
       std::ostringstream text;
       for (const auto &[name, n] : count)
         text << (text.tellp() > 0 ? ", " : "") << name << ' ' << n;

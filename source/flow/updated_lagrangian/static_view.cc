@@ -149,11 +149,7 @@ namespace Sandglass
   {
     WallArea area{0., 0.}; // at rest nothing slides
     for (const WallForce<dim> &force : contact.wall_forces())
-<<<<<<< HEAD
       if (force.normal_force() > 0.)
-=======
-      if (force.force * force.normal < 0.)
->>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
         area.touching += force.area;
     return area;
   }
@@ -176,11 +172,7 @@ namespace Sandglass
           {
             record.position[d] = scene.mesh.vertices[force.vertex][d];
             record.normal[d]   = force.normal[d];
-<<<<<<< HEAD
             record.impulse[d]  = result.time * force.force[d];
-=======
-            record.impulse[d]  = force.force[d];
->>>>>>> f2eb0e6c5c976464671018b2a3ee5ba2dab14608
           }
         result.records.push_back(record);
       }
