@@ -3,8 +3,10 @@
 #include <sandglass/output/section_wall_tractions.h>
 #include <sandglass/walls/section_tangent.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace Sandglass
 {
@@ -83,6 +85,34 @@ namespace Sandglass
       return;
     table.open();
     series.open();
+  }
+
+
+
+  std::vector<WallTractions<2>::PlacedRecord>
+  WallTractions<2>::collect(const WallRecords &records) const
+  {
+    std::vector<PlacedRecord> result;
+    for (const auto &of_rank :
+         Utilities::MPI::gather(scene.communicator, records.records))
+      for (const WallRecord &record : of_rank)
+        if (record.wall != no_wall)
+          result.push_back({record, lines.find(record.wall, record.vertex)});
+
+    const auto key = [this](const PlacedRecord &placed) {
+      const WallRecord &record = placed.record;
+      // Where a wall has a bend, a node has two records.
+      return std::make_tuple(scene.walls[record.wall].role,
+                             record.wall,
+                             placed.place.line,
+                             placed.place.arc_length,
+                             record.normal[0],
+                             record.normal[1]);
+    };
+    std::sort(result.begin(),
+              result.end(),
+              [&key](const auto &a, const auto &b) { return key(a) < key(b); });
+    return result;
   }
 
 

@@ -125,9 +125,6 @@ namespace Sandglass
     /// All ranks' records; sorted, on rank 0.
     std::vector<PlacedRecord>
     collect(const WallRecords &records) const;
-    /// A node where a closed outlet goes on as floor counts once, as floor.
-    void
-    give_outlet_ends_to_floor(std::vector<PlacedRecord> &records) const;
     /// @param force  mean of the wall's on the material, in N.
     WallTraction
     make_traction(const double        time,
