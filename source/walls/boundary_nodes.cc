@@ -84,23 +84,30 @@ namespace Sandglass
 
 
 
-    /// A closed outlet belongs to the wall beside it in the same plane.
+    /**
+     * A closed outlet belongs to the wall beside it in the same plane, so the
+     * nodes on its edge are this wall's. If it has a friction or motion of its
+     * own, both keep their shares.
+     */
     template <int dim>
     void
     merge_closed_outlet(Support<dim>                 &support,
                         const std::vector<Wall<dim>> &walls)
     {
-      const auto outlet =
-        std::find_if(support.walls.begin(),
-                     support.walls.end(),
-                     [&](const auto &share) {
-                       return walls[share.wall].role == BoundaryRole::outlet;
-                     });
-      if (outlet == support.walls.end() || support.walls.size() == 1)
+      const auto is_outlet = [&walls](const WallShare &share) {
+        return walls[share.wall].role == BoundaryRole::outlet;
+      };
+      const auto begin = support.walls.begin(), end = support.walls.end();
+      const auto outlet = std::find_if(begin, end, is_outlet);
+      const auto beside = std::find_if_not(begin, end, is_outlet);
+      if (outlet == end || beside == end)
         return;
-      const double area = outlet->area;
+      const Wall<dim> &gate = walls[outlet->wall], &wall = walls[beside->wall];
+      if (gate.friction_coefficient != wall.friction_coefficient ||
+          gate.velocity != wall.velocity)
+        return;
+      beside->area += outlet->area;
       support.walls.erase(outlet);
-      support.walls[0].area += area;
     }
 
 

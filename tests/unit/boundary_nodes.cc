@@ -178,3 +178,19 @@ TEST(BoundaryNodes, WallsInAPlaneAreOneSupportWithTheirShares)
   EXPECT_EQ(lip->supports[0].friction_coefficient,
             std::tan(30. * numbers::PI / 180.));
 }
+
+// With a friction of its own it carries its own share on its edge too.
+TEST(BoundaryNodes, AClosedOutletWithAFrictionOfItsOwnKeepsItsEdge)
+{
+  StageFixture fixture;
+  fixture.walls.friction_angles = {{"outlet", {10.}}};
+  Mesh<2> mesh                  = Rectangle().mesh();
+  for (auto &face : mesh.faces)
+    if (face.role == BoundaryRole::floor &&
+        mesh.vertices[face.vertices[0]][0] < 0.2)
+      face.role = BoundaryRole::outlet;
+  fixture.start(mesh);
+  const auto nodes = find_nodes(fixture);
+  EXPECT_NEAR(total_area(fixture, nodes, "outlet"), 0.25, 1e-14);
+  EXPECT_NEAR(total_area(fixture, nodes, "floor"), 0.75, 1e-14);
+}
