@@ -96,7 +96,7 @@ main(int argc, char *argv[])
     }
   catch (const std::exception &error)
     {
-      // Not necessarily on each rank, so each may speak.
+      // Errors other than RunError may be on one rank only: each rank prints.
       const bool is_collective =
         dynamic_cast<const Sandglass::RunError *>(&error) != nullptr;
       if (prints || !is_collective)

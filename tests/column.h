@@ -55,7 +55,7 @@ public:
       fixture.stage->step();
   }
 
-  /// Where the deposit ends but for the given share of its mass, in m.
+  /// Where the deposit ends without the given share of its mass, in m.
   double
   front(const double share) const
   {
@@ -100,7 +100,8 @@ public:
   StageFixture fixture;
 
 private:
-  /// Also name the column's free surface, which the static stage asks for.
+  /// Name the gate, and the column's free surface, which the static stage
+  /// asks for.
   static void
   add_gate(Sandglass::Mesh<2> &mesh, const double height)
   {

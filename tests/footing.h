@@ -90,10 +90,10 @@ public:
   }
 
   /**
-   * Increase the pressure to the surcharge plus `share` of what it lacks to
+   * Increase the pressure to the surcharge plus `share` of the difference to
    * the limit, and wait. Before it fails the footing settles by 0.2 % of its
-   * width, and comes to rest within a second; when it fails it sinks by a
-   * third of its width or more.
+   * width, and comes to rest within a second; when it fails it sinks by a third
+   * of its width or more.
    *
    * @return whether it settles by less than 1 % of its width.
    */

@@ -13,7 +13,7 @@
 
 #include "rectangle_mesh.h"
 
-/// As in the parameter file.
+/// The name in the parameter file.
 inline const char *
 name_of(const Sandglass::ForceIntegration integration)
 {

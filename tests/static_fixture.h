@@ -112,8 +112,8 @@ struct StaticFixture
     return sum / n_points();
   }
 
-  /// Of the material's mass as the static stage integrates it. In N, or N per
-  /// metre of depth.
+  /// Weight of the material, its mass integrated as by the static stage. In N,
+  /// or N per metre of depth.
   double
   weight() const
   {

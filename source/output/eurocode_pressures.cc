@@ -9,7 +9,7 @@ namespace Sandglass
 {
   namespace
   {
-    /// Of ratios that are exact on paper.
+    /// Rounding error of ratios that are exact on paper.
     constexpr double rounding = 1e-9;
 
     /// EN 1991-4, Section 6.3.2: the empirical coefficient b.

@@ -8,7 +8,7 @@ namespace Sandglass
 {
   namespace
   {
-    /// Of this rank's particles above the outlet level, in kg.
+    /// Stagnant mass of this rank's particles above the outlet level, in kg.
     double
     stagnant_mass_of_rank(const FlowView &view, const double displacement)
     {

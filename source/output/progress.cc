@@ -68,7 +68,7 @@ namespace Sandglass
                  const unsigned long         n_particles,
                  const WallClock::time_point now)
   {
-    // As in the summary, without the time for output.
+    // The loop's time without that for output, as in the summary.
     const double loop_seconds = Timing::seconds(timings, Timing::particle_loop);
     const double rate =
       state.particle_steps / (loop_seconds - state.last_loop_seconds);

@@ -52,11 +52,11 @@ namespace Sandglass
       void
       go_on_from(const Checkpoint &checkpoint);
 
-      /// To the end. Where ranks should, they share the cells out anew.
+      /// Run to the end. Ranks share the cells out anew where they should.
       void
       flow_to_end();
 
-      /// To the end, or until the ranks should share the cells out anew.
+      /// Run to the end, or until the ranks should share the cells out anew.
       void
       flow_on_partition();
 
@@ -82,7 +82,8 @@ namespace Sandglass
       , is_restart(is_restart)
       , communicator(communicator)
       , log(log)
-      // Of this rank alone: otherwise deal.II adds a warning to each error.
+      // Times of this rank alone: otherwise deal.II adds a warning to each
+      // error.
       , timings(log.stream(), TimerOutput::never, TimerOutput::wall_times)
       , mesh(timed_mesh())
       , fingerprint(ParameterAcceptor::prm, mesh)
@@ -228,8 +229,8 @@ namespace Sandglass
     Simulation<dim>::flow_on_partition()
     {
       Flow &flow = *part->flow;
-      // Looked at before a step, so that a run that goes on from a checkpoint
-      // looks at what the first run has looked at after writing it.
+      // The balance is looked at before a step, so that a run that goes on from
+      // a checkpoint sees what the first run saw after writing it.
       while (!flow.is_finished() && !part->balance.is_lost(flow, communicator))
         {
           {

@@ -95,7 +95,7 @@ namespace Sandglass
   cell_work(const unsigned int n_particles, const double n_leaving)
   {
     // The cell's own work, such as its sums at the nodes; and what it takes to
-    // find a particle's new cell and to store it there. As measured, see
+    // find a particle's new cell and to store it there. Both are measured, see
     // doc/performance.md.
     constexpr double work_of_cell = 2., work_of_change = 7.;
     return n_particles == 0 ?

@@ -10,8 +10,9 @@
 /**
  * The flat-bottomed silo of prm/paper/plane-flat-bottom-mesh-3.prm, plane or
  * axisymmetric, of triangles or quadrilaterals, and on finer meshes. The
- * material starts with the stress that its weight gives it, at rest; the
- * paper's step in proportion to the element size, if it isn't automatic.
+ * material starts at rest, with the stress that its weight gives it. The time
+ * step is the paper's, in proportion to the element size, if it isn't
+ * automatic.
  */
 template <typename Setting>
 struct FlowingSilo : StageFixture
@@ -19,7 +20,7 @@ struct FlowingSilo : StageFixture
   using Geometry = Sandglass::CellGeometry<Setting::cell_type>;
   using Point    = dealii::Point<2>;
 
-  /// Of strain, force, splitting and lip, and of time steps.
+  /// Choices of strain, force, splitting and lip, and of time steps.
   enum class Method
   {
     paper,

@@ -7,7 +7,7 @@
 #include "flowing_silo.h"
 #include "plain_loop.h"
 
-/// Of all particles, in J.
+/// Kinetic energy of all particles, in J.
 inline double
 kinetic_energy(const dealii::Particles::ParticleHandler<2> &particles)
 {

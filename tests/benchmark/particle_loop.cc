@@ -33,7 +33,7 @@ namespace
 
 
 
-  /// That of `function()`.
+  /// Processor time of `function()`, in ns.
   template <typename Function>
   double
   measure(const Function &function)
@@ -146,7 +146,7 @@ namespace
       for (unsigned int n = 0; n < n_steps; ++n)
         plain.step(silo.parameters.time_steps[0].second);
     };
-    // Before the flow lets rounding grow.
+    // Compare before the flow lets rounding grow.
     constexpr unsigned int n_steps_to_compare = 200, n_steps_to_flow = 1000;
     silo.run(n_steps_to_compare);
     run_plain(n_steps_to_compare);

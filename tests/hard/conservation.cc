@@ -47,7 +47,7 @@ namespace
       return sum;
     }
 
-    /// About the origin, in kg m^2/s per metre of depth.
+    /// Angular momentum about the origin, in kg m^2/s per metre of depth.
     double
     angular_momentum() const
     {
@@ -69,8 +69,8 @@ namespace
 
 
 
-// With particles that take the grid's velocity in step 6 instead of its change,
-// more than half of it is lost.
+// If particles take the grid's velocity in step 6 instead of its change, more
+// than half of the angular momentum is lost.
 TEST_P(Conservation, ASpinningDiscKeepsItsAngularMomentum)
 {
   std::array<double, 2> errors;
@@ -170,8 +170,8 @@ namespace
 
 
 
-// With the grid's velocity as above nine tenths of it are lost at the largest
-// step, and all but 3e-4 at the smallest.
+// If particles take the grid's velocity, as above, nine tenths of the energy
+// are lost at the largest step, and all but 3e-4 at the smallest.
 TEST_P(Conservation, AnElasticBarKeepsItsEnergyOverTenPeriods)
 {
   for (const double relative_time_step : {1., 0.5, 0.25})

@@ -57,7 +57,7 @@ namespace
       fixture.start(mesh);
     }
 
-    /// Of elastic, kinetic and potential energy, in J.
+    /// Sum of elastic, kinetic and potential energy, in J.
     double
     energy()
     {
@@ -204,9 +204,9 @@ TEST_P(FoldingColumnTest, StaysWhole)
 
 
 
-// That these bounds can be missed: 5 % above the critical step some are, and
-// half above it the energy has grown by a fifth or more of what there was when
-// particles leave the grid.
+// This shows that the bounds can be missed: at a step 5 % above the critical
+// one some are. At a step half above it, the energy has grown by a fifth or
+// more of what there was by the time particles leave the grid.
 TEST_P(FoldingColumnTest, GainsEnergyAboveTheCriticalStep)
 {
   FoldingColumn column(std::get<0>(GetParam()), std::get<1>(GetParam()));

@@ -79,7 +79,7 @@ namespace
       return largest / (2. * pressure / (density * h));
     }
 
-    /// Of all particles, over that of the unstressed material.
+    /// Smallest density of all particles, over that of the unstressed material.
     double
     smallest_density() const
     {

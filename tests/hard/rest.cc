@@ -27,7 +27,8 @@ namespace
         [this](auto id, const auto &position, auto) { start[id] = position; });
     }
 
-    /// Largest way of a particle since remember_positions(), in cells.
+    /// Largest distance of a particle from where it was at
+    /// remember_positions(), in cells.
     double
     largest_way() const
     {
@@ -127,8 +128,8 @@ TEST_P(Rest, AStiffFrictionSpringLeavesAClosedSiloAtRest)
 
 
 
-// No penalty is too stiff: without the limit the kinetic energy of rings of
-// squares grows to 3e-3 of the potential one with the default penalty already.
+// No penalty is too stiff. Without the limit the kinetic energy of rings of
+// squares grows to 3e-3 of the potential energy even with the default penalty.
 TEST_P(Rest, NoFrictionSpringIsTooStiff)
 {
   silo.fixture.walls.tangential_penalty = 1e9;

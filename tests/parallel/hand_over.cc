@@ -108,7 +108,7 @@ namespace
   class HandOver : public testing::TestWithParam<Choice>
   {};
 
-  /// All on the cells of the outlet's height and below.
+  /// Weights almost all on the cells of the outlet's height and below.
   std::vector<unsigned int>
   weights_below(const Silo &silo)
   {

@@ -92,7 +92,7 @@ namespace
       , contact(grid, scene, fixture.walls, equilibrium.weight(), 1e6)
     {}
 
-    /// Different at each node, but the same on all ranks.
+    /// A field that differs from node to node, but is the same on all ranks.
     FilledGrid<2>::Vector
     field(const double compression, const double waves) const
     {
@@ -113,7 +113,7 @@ namespace
       return result;
     }
 
-    /// Of the equations with contact.
+    /// Residual of the equations with contact.
     FilledGrid<2>::Vector
     residual(const FilledGrid<2>::Vector &displacement)
     {

@@ -157,7 +157,7 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
   std::cout << "largest pressure difference / (rho g H) " << largest
             << "\nlateral force / closed form              "
             << lateral_force / expected_force << std::endl;
-  // As in the static column: triangles share their weight unevenly.
+  // Triangles share their weight unevenly, as in the static column.
   const double tolerance = GetParam() == CellType::triangle ? 0.02 : 1e-4;
   EXPECT_LT(largest, tolerance);
   EXPECT_NEAR(lateral_force / expected_force, 1., tolerance);
@@ -165,7 +165,7 @@ TEST_P(CylinderAtRest, WallPressureIsLinear)
 
 
 
-// What the floor's impulse lacks of the weight's is momentum.
+// The difference between the weight's impulse and the floor's is momentum.
 TEST_P(CylinderAtRest, TheFloorCarriesTheWeight)
 {
   while (!fixture.stage->is_finished())

@@ -39,7 +39,7 @@ namespace
               Tensor<1, 2>({0., -9.81}),
               MPI_COMM_WORLD)
       , grid(scene)
-      // As steep as a cone can be, so that it isn't met.
+      // The cone is as steep as it can be, so that no stress reaches it.
       , material(exact.elasticity, numbers::PI / 2.)
       , equilibrium(grid,
                     material,
@@ -96,7 +96,7 @@ namespace
                 1.);
     }
 
-    /// With a quadrature that is exact enough to add nothing of its own.
+    /// The quadrature here is exact enough to add no error of its own.
     void
     add_displacement_errors(const FilledGrid<2>::Vector &displacement,
                             Errors                      &result) const
@@ -142,7 +142,7 @@ namespace
       result.gradient     = std::sqrt(result.gradient / gradient_scale);
     }
 
-    /// At the stage's own quadrature points.
+    /// Error of the stress at the stage's own quadrature points.
     double
     stress_error() const
     {
@@ -231,7 +231,7 @@ TEST_P(ManufacturedStatic, ConvergesWithTheOrdersOfLinearElements)
                 << fine.gradient << ", order " << gradient_order
                 << "; stress error " << fine.stress << ", order "
                 << stress_order << std::endl;
-      // Orders 2 and 1, but for what irregular meshes scatter.
+      // Orders 2 and 1, but for the scatter of irregular meshes.
       EXPECT_GT(displacement_order, 1.85);
       EXPECT_GT(gradient_order, 0.93);
       EXPECT_GT(stress_order, 0.93);

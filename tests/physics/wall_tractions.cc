@@ -17,7 +17,7 @@ TEST_P(WallTractionsTest, OverTheWallsMakeUpTheForces)
 {
   const FlowView        &view = fixture.stage->view();
   const OutputParameters output;
-  WallTractions<2> observer(output, *fixture.scene, fixture.material);
+  WallTractions<2>       observer(output, *fixture.scene, fixture.material);
   observer.since_last(view.clock().time, view.wall_records());
   run(0.02);
   const auto tractions =

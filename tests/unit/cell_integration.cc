@@ -57,7 +57,7 @@ namespace
         {});
     }
 
-    /// Of the nodes inside, beside what a cell's edge transmits.
+    /// Largest force on the nodes inside, over what a cell's edge transmits.
     double
     largest_force() const
     {

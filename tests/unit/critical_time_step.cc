@@ -8,7 +8,7 @@ using namespace Sandglass;
 
 namespace
 {
-  /// With enough iterations for the converged eigenvalue.
+  /// The critical step with enough iterations for the converged eigenvalue.
   template <typename Kinematics>
   double
   largest_stable_step(StageFixture &fixture)

@@ -123,7 +123,7 @@ TEST(EurocodePressures, HoppersAreInEquilibrium)
           {formulation, 1., height, 0., slope, 30.},
           {density, is_plane ? 0.5 : 0.25, lateral_ratio, mu});
 
-        // Over pi in cones, over 2 in wedges.
+        // The lifting force over pi in cones, over 2 in wedges.
         double                 lift = 0.;
         constexpr unsigned int n    = 20000;
         for (unsigned int i = 0; i < n; ++i)

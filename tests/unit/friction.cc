@@ -10,7 +10,7 @@ namespace
 {
   using Friction2 = PenaltyFriction<2>;
   using Memory    = FrictionMemory<2>;
-  using Force    = Tensor<1, 2>;
+  using Force     = Tensor<1, 2>;
 
   // The limit mu N is 3 N; c_T A dt = 0.5 N s / m
   const Friction2  return_mapping(1e3, 0., FrictionUpdate::return_mapping);
@@ -32,12 +32,12 @@ namespace
         const double     free_velocity)
   {
     const Force result = friction.force(memory,
-                                         limit,
-                                         along(velocity),
-                                         along(free_velocity),
-                                         mass,
-                                         area,
-                                         time_step);
+                                        limit,
+                                        along(velocity),
+                                        along(free_velocity),
+                                        mass,
+                                        area,
+                                        time_step);
     EXPECT_NEAR((result - along(result * along(1.))).norm(), 0., 1e-15);
     EXPECT_EQ((result - memory.force).norm(), 0.);
     return result * along(1.);

@@ -31,7 +31,7 @@ namespace
       const Eigen::Matrix2d     after = increment * deformation;
       const GreenNaghdiRotation rotation(deformation, after);
 
-      // Of the middle, but not turned to the step's end, as the spin would.
+      // Strain of the step's middle, not turned to its end as the spin would.
       Tensor<2, 2> middle = 0.5 * gradient;
       middle[0][0] += 1.;
       middle[1][1] += 1.;
@@ -88,9 +88,9 @@ namespace
 
 
 
-// With Jaumann's rotation instead the error is 0.97 at any step, with the sign
-// of R's angle turned round 2, and with the increment not turned by half a step
-// the order is one.
+// With Jaumann's rotation instead, the error is 0.97 at any step. If the sign
+// of R's angle is turned round, it is 2, and if the increment is not turned by
+// half a step, the order is one.
 TEST(GreenNaghdi, SimpleShearFollowsDienesClosedForm)
 {
   const std::array<double, 3> errors{{error_of_simple_shear(250),

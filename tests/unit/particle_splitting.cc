@@ -213,8 +213,9 @@ TYPED_TEST(ParticleSplittingTest, SumsStayThoseOfTheParticles)
 
 
 
-// As behind a sudden step of the mesh: the halves find room all the same, and
-// are halved in their turn, but for some at the edges, which wait.
+// Particles far too large, as behind a sudden step of the mesh: their halves
+// find room all the same and are halved in their turn, except for some at the
+// edges, which wait.
 TYPED_TEST(ParticleSplittingTest, MuchTooLargeParticlesEndNearTheirShare)
 {
   this->enlarge(64.);
@@ -332,7 +333,7 @@ TYPED_TEST(ParticleSplittingTest, HalvesHaveIdsOfTheirOwn)
       last = next;
     }
 
-  // Until there are none left, without an overflow.
+  // Take halves until no ids are left, without an overflow.
   types::particle_index id = 5;
   while (this->initial_configuration->has_halves(id))
     {

@@ -18,8 +18,8 @@ namespace
       double plastic_work; ///< in J
     };
 
-    /// Of a motion by 2 % of the square with strains of 6 %: on the finer
-    /// meshes, particles cross cells.
+    /// Errors of a motion by 2 % of the square with strains of 6 %: on the
+    /// finer meshes, particles cross cells.
     Result
     errors(const ForceIntegration integration,
            const unsigned int     n_cells,
@@ -39,7 +39,7 @@ namespace
       return result;
     }
 
-    /// With as many more particles per cell as the cells become smaller.
+    /// Errors with more particles per cell as the cells' area shrinks.
     std::array<Result, 3>
     errors_with_more_particles(const ForceIntegration integration) const
     {
@@ -48,7 +48,7 @@ namespace
                errors(integration, 32, 64)}};
     }
 
-    /// With four per cell, on the finer meshes.
+    /// Errors with four particles per cell, on the finer meshes.
     std::array<Result, 2>
     errors_with_four_particles(const ForceIntegration integration) const
     {
@@ -56,7 +56,8 @@ namespace
     }
   };
 
-  /// Between the first mesh and the last, with a quarter of the cells' side.
+  /// Order between the first mesh and the last, whose cells have a quarter of
+  /// the side.
   double
   order(const double coarse, const double fine)
   {

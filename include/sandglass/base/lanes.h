@@ -12,11 +12,11 @@ namespace Sandglass
    * once. Functions that are templates on their number type take it in place
    * of double.
    *
-   * GCC's and Clang's vector extension, unlike intrinsics, compiles to what
-   * the surrounding function's target has: one AVX register or two of SSE
-   * (see instruction_sets.h). The alignment is stated since GCC would take what
-   * the target's registers need, and so functions for different targets would
-   * expect different ones of the same object.
+   * GCC's and Clang's vector extension, unlike intrinsics, compiles to what the
+   * surrounding function's target has: one AVX register or two of SSE (see
+   * instruction_sets.h). The alignment is stated since GCC would take what the
+   * target's registers need, and so functions for different targets would
+   * expect different alignments of the same object.
    */
   class alignas(4 * sizeof(double)) Lanes
   {
@@ -134,8 +134,8 @@ namespace Sandglass
       return a.vector != b.vector;
     }
 
-    /// In each lane a where the condition is true, otherwise b; what is not
-    /// chosen may be infinite or not a number.
+    /// In each lane: a where the condition is true, otherwise b. The value that
+    /// is not chosen may be infinite or not a number.
     friend Lanes
     select(const Mask &condition, Lanes a, const Lanes &b)
     {
@@ -157,11 +157,11 @@ namespace Sandglass
       return select(a < Lanes(0.), -a, a);
     }
 
-    /// The four sums over the lanes.
+    /// The sums over the lanes of a, b, c and d, one in each lane.
     friend Lanes
     sums_of_four(const Lanes &a, const Lanes &b, const Lanes &c, const Lanes &d)
     {
-      // In each half a register, as shuffles across the middle are slow.
+      // Shuffle within half registers: shuffles across the middle are slow.
       const Vector ab =
         __builtin_shufflevector(a.vector, b.vector, 0, 4, 2, 6) +
         __builtin_shufflevector(a.vector, b.vector, 1, 5, 3, 7);
@@ -184,7 +184,7 @@ namespace Sandglass
     Vector vector;
   };
 
-  /// As for Lanes.
+  /// Like select() for Lanes: a where the condition is true, otherwise b.
   inline double
   select(const bool condition, const double a, const double b)
   {

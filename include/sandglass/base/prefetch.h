@@ -8,8 +8,8 @@ namespace Sandglass
   constexpr unsigned int prefetch_distance = 8;
 
   /// Fetch an object into the cache, where the processor doesn't foresee that
-  /// it is needed soon. Of one that doesn't begin with a line the end may be
-  /// left out: to fetch a line more costs more than it gains.
+  /// it is needed soon. If the object doesn't begin with a cache line, its end
+  /// may be left out: fetching one more line costs more than it gains.
   template <typename T>
   void
   prefetch(const T &object)

@@ -10,7 +10,7 @@ namespace Sandglass
   /**
    * Maps the displacement increments of a cell's nodes, two components each, to
    * their gradient at a point (see Gradient5), and what works on that gradient
-   * back to the nodes. As a matrix it would be zero by more than half.
+   * back to the nodes. As a matrix, more than half of it would be zeros.
    */
   class InPlaneGradientOperator
   {
@@ -34,7 +34,7 @@ namespace Sandglass
       has_hoop = has_hoop || hoop_share != 0.;
     }
 
-    /// To gradients with respect to the configuration that H leads to.
+    /// Change to gradients with respect to the configuration that H leads to.
     void
     move_reference(const Gradient5 &H)
     {
@@ -120,7 +120,7 @@ namespace Sandglass
       return gradients.leftCols<n_dofs / 2>();
     }
 
-    /// Of a triangle's nodes the last doesn't exist.
+    /// Gradients at the nodes; a triangle doesn't have the last one.
     Eigen::Matrix<double, 2, 4> gradients = Eigen::Matrix<double, 2, 4>::Zero();
     Eigen::Vector4d             hoop      = Eigen::Vector4d::Zero();
     bool                        has_hoop  = false;

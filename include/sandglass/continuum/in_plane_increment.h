@@ -68,8 +68,8 @@ namespace Sandglass
              f * gradient[0][1] * (f * gradient[1][0]);
     }
 
-    /// With respect to the positions in the middle of the step: gradient times
-    /// the inverse of dx_middle / dx = 1 + gradient / 2.
+    /// The gradient with respect to the positions in the middle of the step:
+    /// `gradient` times the inverse of dx_middle / dx = 1 + gradient / 2.
     template <typename Gradient>
     static std::array<std::array<Number, 2>, 2>
     in_the_middle(const Gradient &gradient)

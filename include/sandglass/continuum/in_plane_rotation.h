@@ -15,7 +15,7 @@ namespace Sandglass
     Number cosine;
     Number sine;
 
-    /// As jaumann_rotation(): first order, the stress grows a little.
+    /// Turns like jaumann_rotation(): first order, the stress grows a little.
     static InPlaneRotation
     forward_euler(const Number &spin)
     {
@@ -23,8 +23,8 @@ namespace Sandglass
     }
 
     /**
-     * By the angle theta of tan(theta / 2) = spin / 2 (Hughes and Winget 1980),
-     * which is the exact one if `spin` is that of the increment's middle.
+     * Turns by the angle theta of tan(theta / 2) = spin / 2 (Hughes and Winget
+     * 1980), which is exact if `spin` is that of the increment's middle.
      */
     static InPlaneRotation
     hughes_winget(const Number &spin)
@@ -34,7 +34,7 @@ namespace Sandglass
               Number(2.) * half.sine * half.cosine};
     }
 
-    /// Half as far: from the middle of the step to its end.
+    /// Half of hughes_winget(): from the middle of the step to its end.
     static InPlaneRotation
     half_hughes_winget(const Number &spin)
     {

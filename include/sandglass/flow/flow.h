@@ -35,8 +35,9 @@ namespace Sandglass
     virtual void
     save(boost::archive::binary_oarchive &archive) const = 0;
 
-    /// Go on from what save() has written, on any number of ranks, bit by bit
-    /// on the same number with the same partition. Each rank reads all of it.
+    /// Go on from what save() has written, on any number of ranks: a flow in
+    /// time bit by bit on the same number with the same partition, the state at
+    /// rest within Newton's tolerance. Each rank reads all of it.
     virtual void
     load(boost::archive::binary_iarchive &archive) = 0;
 

@@ -29,8 +29,8 @@ namespace Sandglass
 
     double mass_in_silo = 0.; ///< above the outlet level y = 0, in kg
     double mass_falling = 0.; ///< below it, in kg
-    double mass_removed = 0.; ///< that left the grid by falling, in kg
-    double mass_lost    = 0.; ///< that left the grid otherwise, in kg
+    double mass_removed = 0.; ///< left the grid by falling, in kg
+    double mass_lost    = 0.; ///< left the grid otherwise, in kg
 
     double kinetic_energy    = 0.; ///< in J
     double elastic_energy    = 0.; ///< in J

@@ -107,8 +107,9 @@ namespace Sandglass
       const Number q_squared = Number(1.5) * double_contraction(s, s);
       const Number q_yield   = Number(yield_slope) * p;
 
-      // Asked so that what is not a number yields, and spreads to all
-      // components: else one that no force feels would stay unseen.
+      // The comparison makes a stress that is not a number yield, and spread to
+      // all components. Otherwise it would stay unseen in a component that no
+      // force feels.
       const auto   is_separated = p <= Number(0.);
       const auto   is_elastic   = q_squared <= q_yield * q_yield;
       const Number ratio =

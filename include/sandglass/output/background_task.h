@@ -13,7 +13,7 @@ namespace Sandglass
   class BackgroundTask
   {
   public:
-    /// After the last one. Throws what that one has thrown.
+    /// Start a task after the last one; throws what the last one has thrown.
     void
     start(std::function<void()> task)
     {

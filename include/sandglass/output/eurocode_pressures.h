@@ -9,7 +9,7 @@
 
 namespace Sandglass
 {
-  /// On a wall, in Pa; NaN where a formula says nothing.
+  /// Pressure and friction on a wall, in Pa; NaN where a formula says nothing.
   struct WallPressure
   {
     double normal     = std::numeric_limits<double>::quiet_NaN();
@@ -36,7 +36,7 @@ namespace Sandglass
       Formulation formulation;
       double      width;       ///< d_c between the vertical walls, in m
       double      wall_height; ///< h_c from their foot to the surface, in m
-      /// Between the middles of outlet and silo, in m.
+      /// Distance between the middles of outlet and silo, in m.
       double outlet_eccentricity;
       /// tan(beta) between hopper and vertical; NaN without a hopper, or with
       /// one that is not the same on both sides.
@@ -55,10 +55,10 @@ namespace Sandglass
     };
 
     /**
-     * On the vertical wall: Janssen's p_h (Section 5.2.1.1) or p_ho Y_R
-     * (Section 5.3.1.1) on filling; times C_h and C_w (Sections 5.2.2.1 and
-     * 5.3.2.1) on discharge, if the outlet is no farther from the middle than
-     * 0.25 d_c.
+     * Pressure and friction on the vertical wall: Janssen's p_h (Section
+     * 5.2.1.1) or p_ho Y_R (Section 5.3.1.1) on filling; times C_h and C_w
+     * (Sections 5.2.2.1 and 5.3.2.1) on discharge, if the outlet is no farther
+     * from the middle than 0.25 d_c.
      *
      * @param depth  below the surface, in m.
      */
@@ -66,8 +66,8 @@ namespace Sandglass
     on_wall(const Load load, const double depth) const;
 
     /**
-     * On the hopper (Sections 6.1.2, 6.3.2 and 6.3.3), with full wall friction
-     * and the bottom load magnifier C_b = 1.
+     * Pressure and friction on the hopper (Sections 6.1.2, 6.3.2 and 6.3.3),
+     * with full wall friction and the bottom load magnifier C_b = 1.
      *
      * @param depth  below the surface, in m.
      */

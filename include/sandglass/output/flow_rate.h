@@ -34,23 +34,24 @@ namespace Sandglass
     double
     plateau() const;
 
-    /// A time, in s, of a share of all the discharged mass, between samples
-    /// linearly; NaN if none was discharged.
+    /// The time, in s, when a share of all the discharged mass had been
+    /// discharged, interpolated linearly between samples; NaN if none was.
     double
     time_of_share(const double share) const;
 
     /**
      * The longest stretch of time in which no flow rate (as of current()) is
      * more than 10 % away from the middle between the largest and the smallest
-     * of them, from the begin of the first rate's window to the time of the
-     * last rate; of two equally long ones the earlier.
+     * of them, from the beginning of the first rate's window to the time of the
+     * last rate. If two stretches are equally long, it is the earlier one.
      */
     SteadyFlow
     steady() const;
 
     /**
-     * When 99.9 % of all that has been discharged so far had been, in s; NaN
-     * while that is less than a window ago, since then material still flows.
+     * The time, in s, when 99.9 % of all the mass discharged so far had been
+     * discharged; NaN while that is less than a window ago, since material
+     * still flows then.
      */
     double
     discharge_time() const;
@@ -82,7 +83,8 @@ namespace Sandglass
       }
     };
 
-    /// When the mass had been discharged, in s, between samples linearly.
+    /// The time, in s, when the mass had been discharged, interpolated linearly
+    /// between samples.
     double
     time_of(const double mass) const;
 

@@ -23,13 +23,14 @@ namespace Sandglass
 
     SteadyFlow steady;
 
-    /// See FlowRate::discharge_time(), in s.
+    /// The time of FlowRate::discharge_time(), in s.
     double discharge_time = std::numeric_limits<double>::quiet_NaN();
 
-    /// Mean over the plateau; see FlowPattern.
+    /// Share of the walls that slips, mean over the plateau; see FlowPattern.
     double slipping_wall_share = std::numeric_limits<double>::quiet_NaN();
 
-    /// The latest, in kg; see FlowPattern. Without a value if not asked for.
+    /// The latest stagnant mass, in kg; see FlowPattern. No value if it was not
+    /// asked for.
     std::optional<double> stagnant_mass;
   };
 } // namespace Sandglass

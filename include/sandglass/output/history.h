@@ -37,7 +37,7 @@ namespace Sandglass
     double time;            ///< in s
     double discharged_mass; ///< in kg
     double rate;            ///< in kg/s
-    /// For grains of 0, 0.1 and 0.2 outlet widths, in kg/s.
+    /// Beverloo's rates for grains of 0, 0.1 and 0.2 outlet widths, in kg/s.
     std::array<double, 3> beverloo;
   };
 
@@ -68,7 +68,7 @@ namespace Sandglass
       return largest_stagnant_displacement;
     }
 
-    /// Of the discharge so far; on rank 0.
+    /// Summary of the discharge so far; on rank 0.
     FlowSummary
     flow_summary() const;
 
@@ -94,7 +94,7 @@ namespace Sandglass
 
     /// A row's time in s, and its slipping share of the walls.
     std::vector<std::pair<double, double>> slipping_samples;
-    /// The latest, in kg.
+    /// The latest stagnant mass, in kg.
     double stagnant_mass = 0.;
   };
 } // namespace Sandglass

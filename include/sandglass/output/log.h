@@ -19,14 +19,14 @@ namespace Sandglass
     Log(const MPI_Comm communicator, const bool is_quiet);
     ~Log();
 
-    /// For all text.
+    /// Stream for all text.
     dealii::ConditionalOStream &
     stream()
     {
       return output;
     }
 
-    /// From now on, and with what was written so far, keep a copy in a file.
+    /// Keep a copy in a file from now on, and of what was written so far.
     void
     open_file(const std::string &filename, const bool appends);
 

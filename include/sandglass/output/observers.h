@@ -29,8 +29,8 @@ namespace Sandglass
    * which prepare_output_directory() has made. What a scene or the parameters
    * don't ask for is neither computed nor mentioned.
    *
-   * Fields and walls are written beside the run; all other files are complete
-   * after each call, and those when the next ones are due, or the run stops.
+   * Fields and walls are written beside the run, and are complete when the next
+   * ones are due or the run stops; other files are complete after each call.
    * Throws RunError where a file can't be written.
    */
   template <int dim>
@@ -153,7 +153,7 @@ namespace Sandglass
     FieldSeries        particles, grid;
     WallTractions<dim> wall_tractions;
 
-    /// Of particles, grid and wall_tractions, and so the first to go.
+    /// Writes particles, grid and wall_tractions, so it is destroyed first.
     BackgroundTask writing;
   };
 } // namespace Sandglass

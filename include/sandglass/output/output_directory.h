@@ -31,7 +31,7 @@ namespace Sandglass
   std::string
   shared_error(const MPI_Comm communicator, const std::function<void()> &work);
 
-  /// As shared_error(), but throws a RunError on each rank.
+  /// Like shared_error(), but throws a RunError on each rank.
   void
   do_and_share_errors(const MPI_Comm               communicator,
                       const std::function<void()> &work);

@@ -15,15 +15,16 @@ namespace Sandglass
 
     std::string directory = "output/plane-flat-bottom";
 
-    double interval         = 0.1;  ///< of fields and wall tractions, in s
-    double history_interval = 0.01; ///< of rows of the histories, in s
+    double interval         = 0.1;  ///< between fields and wall tractions, in s
+    double history_interval = 0.01; ///< between rows of the histories, in s
     double flow_rate_window = 0.1;  ///< in s
 
     bool writes_particles = true;
     bool writes_grid      = true;
     bool writes_walls     = true;
 
-    /// In outlet widths; 0: the stagnant mass isn't computed.
+    /// How far stagnant material may have moved, in outlet widths; 0: the
+    /// stagnant mass isn't computed.
     double stagnant_displacement = 0.1;
 
     /// Janssen's K; 0 takes the one of EN 1991-4.

@@ -56,7 +56,7 @@ namespace Sandglass
       double                start_time = 0.;
       WallClock::time_point start_moment;
 
-      /// Of the last line.
+      /// Wall time, and the loop's seconds, at the last line.
       WallClock::time_point last_moment;
       double                last_loop_seconds = 0.;
 

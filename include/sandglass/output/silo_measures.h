@@ -15,20 +15,20 @@ namespace Sandglass
     /// Whether material can leave.
     bool has_open_outlet;
 
-    /// Width or diameter; 0 without an outlet.
+    /// Width or diameter of the outlet; 0 without one.
     double outlet_width;
 
-    /// Between the vertical walls: width or diameter; 0 without such walls.
+    /// Width or diameter between the vertical walls; 0 without such walls.
     double wall_width;
 
     /// Lowest point of the vertical walls, in m.
     double wall_foot;
 
-    /// Middle of the outlet, or of the silo without one, at its bottom; with an
-    /// axis, a point of it.
+    /// Middle of the outlet or, without an outlet, of the silo's bottom. If
+    /// there is an axis, the point is on it.
     Point<dim> bottom_centre;
 
-    /// Between the middles of outlet and vertical walls; 0 without either.
+    /// Distance between the middles of outlet and walls; 0 without either.
     double outlet_eccentricity;
 
     /// Tangent of the angle between hopper and vertical; NaN unless the hopper

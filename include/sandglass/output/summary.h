@@ -26,7 +26,7 @@ namespace Sandglass
     SiloTotals totals;
     double     initial_mass = 0.; ///< in kg
 
-    /// Of this process: none after a restart.
+    /// Effort of the static stage in this process; none after a restart.
     std::optional<StaticEffort> static_effort;
 
     /// Wall time of this process, in s.
@@ -44,7 +44,8 @@ namespace Sandglass
     /// Largest memory of the processes so far, summed over ranks, in MiB.
     double peak_memory = 0.;
 
-    /// Difference between the sum of all masses and the initial mass, over it.
+    /// Difference between the sum of all masses and the initial mass, over the
+    /// initial mass.
     double
     mass_balance_error() const;
 

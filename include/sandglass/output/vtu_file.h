@@ -24,7 +24,7 @@ namespace Sandglass
                    std::vector<std::int64_t>,
                    std::vector<std::int32_t>>
         values;
-      /// One for each component, or none.
+      /// One name for each component, or none.
       std::vector<std::string> component_names;
     };
 

@@ -59,8 +59,8 @@ namespace Sandglass
               Neighbors      &neighbors,
               const Point<2> &bottom_centre);
 
-    /// From `vertex` on to its other neighbors, which are taken out; the
-    /// vertices of the line, in order.
+    /// The vertices of the line from `vertex` on, in order; each is taken out
+    /// of `neighbors`.
     static std::vector<unsigned int>
     follow_line(unsigned int vertex, Neighbors &neighbors);
 

@@ -61,7 +61,7 @@ namespace Sandglass
       Sandglass::prefetch(cells[cell]);
     }
 
-    /// The same for the cells around one that is in the cache.
+    /// Fetch what find() reads of the cells around one that is in the cache.
     void
     prefetch_neighbors(const unsigned int cell) const
     {

@@ -27,8 +27,8 @@ namespace Sandglass
     return shape.jacobian(centroid) * Shape::reference_area / n;
   }
 
-  /// Volume of the same in m^3 (plane strain: per metre of depth, axisymmetric:
-  /// of the whole ring).
+  /// Volume of such a part in m^3 (plane strain: per metre of depth,
+  /// axisymmetric: of the whole ring).
   template <typename Kinematics, typename Shape>
   double
   part_volume(const Shape             &shape,

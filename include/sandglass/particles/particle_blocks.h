@@ -92,8 +92,8 @@ namespace Sandglass
 
     static constexpr unsigned int none = numbers::invalid_unsigned_int;
 
-    /// @param cells  that may hold particles, in the order in which they are
-    ///               gone through: on a rank its own. Of `n_cells` in all.
+    /// @param cells  those of all `n_cells` that may hold particles (on a rank
+    ///               its own), in the order in which they are gone through.
     ParticleBlocks(const unsigned int n_cells, std::vector<unsigned int> cells)
       : cells_in_order(std::move(cells))
       , first(n_cells, none)
@@ -108,9 +108,9 @@ namespace Sandglass
 
     /**
      * Remove a particle; the last one of the chain's first block takes its
-     * place. Several of a cell have to be removed block by block along the
-     * chain, in each block the highest lane first, for their slots to be valid
-     * until their turn.
+     * place. To remove several particles of a cell, go block by block along the
+     * chain, and in each block take the highest lane first, so that slots are
+     * valid until their turn.
      */
     void
     remove(const ParticleSlot &slot);
@@ -132,12 +132,12 @@ namespace Sandglass
     void
     overwrite(const ParticleSlot &slot, const Parcel &parcel);
 
-    /// Store the blocks in the order of cells and chains again, for the memory
-    /// to be read in order. Slots become invalid.
+    /// Store the blocks in the order of cells and chains again, so that memory
+    /// is read in order. Slots become invalid.
     void
     sort();
 
-    /// The same if so many blocks are out of order that it costs less than
+    /// Call sort() if so many blocks are out of order that it costs less than
     /// reading them.
     void
     sort_if_mixed();
@@ -154,7 +154,7 @@ namespace Sandglass
       return first.size();
     }
 
-    /// Those that may hold particles.
+    /// The cells that may hold particles.
     const std::vector<unsigned int> &
     cells() const
     {

@@ -123,9 +123,9 @@ namespace Sandglass
   void
   ParticleBlocks<Layout>::sort_if_mixed()
   {
-    // Where no cache holds the blocks, one out of order costs a step about as
-    // much as sorting costs for one; in the silo in flow this is every twenty
-    // steps.
+    // Where no cache holds the blocks, a block out of order costs a step about
+    // as much as sorting costs for each block. In the silo in flow, sorting is
+    // due every twenty steps.
     constexpr unsigned int smallest_share = 4;
     if (n_added > blocks.size() / smallest_share)
       sort();

@@ -51,7 +51,7 @@ namespace Sandglass
       return particle_blocks;
     }
 
-    /// For those who change particles in their cells.
+    /// The blocks, for those who change particles in their cells.
     Blocks &
     change_blocks()
     {

@@ -78,7 +78,7 @@ namespace Sandglass
     return state;
   }
 
-  /// All but the mass, which does not change in a pass.
+  /// Store all but the mass, which does not change in a pass.
   template <typename Layout>
   void
   store_state(const ParticleState<Layout, Lanes> &state,

@@ -46,7 +46,7 @@ namespace Sandglass
       return {{rest_x * rest_y, x * rest_y, rest_x * y, x * y}};
     }
 
-    /// Of the two reference coordinates, in 1/m.
+    /// Gradients of the two reference coordinates, in 1/m.
     template <typename Number>
     std::array<Pair<Number>, dim>
     reference_gradients(const Pair<Number> &reference_point) const
@@ -60,8 +60,8 @@ namespace Sandglass
 
     /**
      * Derivatives of the shape functions along a direction of the reference
-     * cell. They are linear in it: what gradients at the nodes are multiplied
-     * by costs less if the direction is multiplied by it.
+     * cell. They are linear in it: to multiply all nodes' gradients by a factor
+     * costs less if the direction is multiplied by it.
      */
     template <typename Number>
     static std::array<Number, n_nodes>
@@ -117,9 +117,9 @@ namespace Sandglass
     }
 
     /**
-     * Newton's method. An iteration is wrong by just the twist times the
-     * changes of both coordinates, so that it takes one in parallelograms, and
-     * from a start nearby also in those that a mesh generator has rounded.
+     * Newton's method. The error of an iteration is just the twist times the
+     * changes of both coordinates. So one iteration is enough in parallelograms
+     * and, from a start nearby, in those that a mesh generator has rounded.
      */
     template <typename Number>
     Pair<Number>
@@ -128,8 +128,8 @@ namespace Sandglass
       using std::abs;
       constexpr unsigned int max_iterations = 20;
       constexpr double       tolerance      = 1e-16;
-      // The first iteration stands alone for the compiler to see that it needs
-      // the same gradients as others who need them at the start.
+      // The first iteration stands alone, so that the compiler sees that it
+      // needs the same gradients as other code that needs them at the start.
       Pair<Number> change = newton_change(point, start);
       Pair<Number> result{{start[0] + change[0], start[1] + change[1]}};
       for (unsigned int i = 1;
@@ -240,7 +240,7 @@ namespace Sandglass
         {at_origin[0] + twist[0] * other, at_origin[1] + twist[1] * other}};
     }
 
-    /// Of the reference coordinates in an iteration.
+    /// Change of the reference coordinates in an iteration.
     template <typename Number>
     Pair<Number>
     newton_change(const Pair<Number> &point,
@@ -252,7 +252,7 @@ namespace Sandglass
                gradients[1][0] * residual[0] + gradients[1][1] * residual[1]}};
     }
 
-    /// From the position of a reference point to `point`.
+    /// Vector from the position of a reference point to `point`.
     template <typename Number>
     Pair<Number>
     distance_to(const Pair<Number> &point,

@@ -104,7 +104,7 @@ namespace Sandglass
     }
 
     const CellGeometry<cell_type> &geometry;
-    const types::particle_index    n_ids; ///< of initial particles
+    const types::particle_index    n_ids; ///< number of initial particles
   };
 } // namespace Sandglass
 

@@ -25,7 +25,7 @@ namespace Sandglass
       parcels.clear();
     }
 
-    /// Add a particle, those of a cell in the order that
+    /// Add a particle. Those of a cell have to come in the order that
     /// ParticleBlocks::remove() asks for.
     void
     add(const ParticleSlot &slot)
@@ -33,7 +33,7 @@ namespace Sandglass
       slots.push_back(slot);
     }
 
-    /// Take those added since the last call out of their cell.
+    /// Take the particles added since the last call out of their cell.
     void
     take_out(ParticleBlocks<Layout> &blocks)
     {
@@ -41,8 +41,8 @@ namespace Sandglass
         take_out_all(blocks);
     }
 
-    /// Those taken out. Their reference coordinates are those in the cell that
-    /// they have left, so not valid in any.
+    /// The particles taken out. Their reference coordinates are those in the
+    /// cell that they have left, so they are not valid in any cell.
     std::vector<Parcel<Layout>> parcels;
 
   private:

@@ -47,7 +47,7 @@ namespace Sandglass
                reference_point[1]}};
     }
 
-    /// The same at all points.
+    /// The gradients are the same at all points.
     template <typename Number>
     std::array<Pair<double>, n_nodes>
     shape_gradients(const Pair<Number> &) const

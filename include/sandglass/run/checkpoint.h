@@ -21,7 +21,7 @@ namespace Sandglass
   {
     double time = 0.; ///< in s
 
-    /// The partition and how even it is, for the same order of sums.
+    /// The partition and how even it is, so that sums keep their order.
     std::vector<unsigned int> cell_weights;
     LoadBalance               balance;
 

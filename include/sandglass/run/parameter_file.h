@@ -31,7 +31,7 @@ namespace Sandglass
     void
     parse(dealii::ParameterHandler &prm) const;
 
-    /// The same error with file and line of the parameter to blame.
+    /// The error given, with file and line of the parameter to blame.
     InputError
     located(const InputError &error) const;
 

@@ -33,7 +33,7 @@ namespace Sandglass
   std::vector<unsigned int>
   cell_weights(const std::vector<double> &work);
 
-  /// The same before any flow.
+  /// The weights of a partition before any flow.
   template <int dim>
   std::vector<unsigned int>
   cell_weights(const Mesh<dim> &mesh, const unsigned int particles_per_cell);

@@ -31,7 +31,7 @@ namespace Sandglass
   enum class FrictionUpdate
   {
     /**
-     * As from any other state: elastically with the slip, up to Coulomb's
+     * Elastically with the slip, as from any other state, up to Coulomb's
      * limit.
      */
     return_mapping,
@@ -118,7 +118,7 @@ namespace Sandglass
      * Let the force of a sticking node follow a displacement of the material
      * that force() has not known of.
      *
-     * @param velocity   beyond that at the step's end, tangential, in m/s.
+     * @param velocity   tangential, beyond that at the step's end, in m/s.
      * @param area       of wall that belongs to the node, in m^2.
      * @param time_step  in s.
      */
@@ -135,7 +135,7 @@ namespace Sandglass
 
   private:
     /**
-     * Of the spring that holds a node, in N/m.
+     * Stiffness of the spring that holds a node, in N/m.
      *
      * The solution for force and velocity together takes the node's whole mass,
      * but v^L, with which the material moves, follows the node with a share of

@@ -56,7 +56,7 @@ namespace Sandglass
     release(velocity,
             [this](const unsigned int n, const Tensor<1, dim> &free_velocity) {
               // A wall that presses lets a node move neither in nor out, or
-              // v^L's noise would pump material off it. The other one lets
+              // v^L's noise would pump material off it. The other wall lets
               // nothing in.
               const auto pressed_velocity =
                 held_velocity(nodes[n], holding[n], free_velocity);

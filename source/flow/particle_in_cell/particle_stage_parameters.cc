@@ -120,8 +120,8 @@ namespace Sandglass
   unsigned int
   ParticleStageParameters::automatic_step_interval() const
   {
-    // A node that is losing its mass lowers the critical step the faster the
-    // less of it is lumped.
+    // A node that is losing its mass lowers the critical step; the less of the
+    // mass is lumped, the faster.
     const double lumped_share = 1. - consistent_mass_share;
     return std::max(1u,
                     static_cast<unsigned int>(time_step_interval *

@@ -13,16 +13,17 @@ namespace Sandglass
     /// the reactions' signs say little.
     constexpr double residual_for_contact = 1e-6;
 
-    /// A step may raise the residual by this share. Falling separated material
-    /// doesn't change it until it meets something.
+    /// A step may raise the residual by this share. Separated material that
+    /// falls doesn't change it until it meets something.
     constexpr double tolerated_rise = 1e-3;
 
 
 
     /**
      * How much elastic stiffness Newton's tangent gets: none as long as the
-     * exact tangent serves, more after each failure, less after success. Less
-     * step by step: where the exact tangent has failed, it soon fails again.
+     * exact tangent serves, more after each failure, less after success. It
+     * falls step by step: where the exact tangent has failed, it soon fails
+     * again.
      */
     class ElasticShare
     {

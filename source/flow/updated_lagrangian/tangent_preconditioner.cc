@@ -16,7 +16,7 @@ namespace Sandglass
     // finer meshes, where multigrid is the better choice.
     constexpr unsigned int cost_of_factors = 14, cost_of_multigrid = 20;
 
-    /// With multigrid as new as it can be, a solution takes a sixth of it.
+    /// A solution with a fresh multigrid takes a sixth of these iterations.
     constexpr unsigned int most_multigrid_iterations = 300;
   } // namespace
 

@@ -76,9 +76,9 @@ namespace Sandglass
     auto &[direction, image] = improvements[n];
     preconditioner->vmult(direction, residual);
     tangent.vmult(image, direction);
-    // In one sum over the ranks: the classical Gram-Schmidt method, exact
-    // enough for so few directions. The residual remains that of the solution
-    // anyway.
+    // The classical Gram-Schmidt method needs one sum over the ranks, and is
+    // exact enough for so few directions. The residual remains that of the
+    // solution in any case.
     std::vector<double> shares(n);
     for (unsigned int i = 0; i < n; ++i)
       shares[i] = std::inner_product(image.begin(),

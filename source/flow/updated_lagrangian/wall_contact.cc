@@ -131,9 +131,9 @@ namespace Sandglass
     const Tensor<2, dim> in_plane =
       Tensor<2, dim>(unit_symmetric_tensor<dim>()) - outer_product(n, n);
 
-    // A limit of zero counts as sliding, so that the first iteration is that
-    // of smooth walls. From there Newton's method finds the way, which it
-    // doesn't from walls to which the material sticks.
+    // A limit of zero counts as sliding, so that the first iteration is that of
+    // smooth walls. From smooth walls Newton's method finds the way; from walls
+    // to which the material sticks it doesn't.
     const Friction<dim> friction = coulomb(trial, limit);
     state.tangential_force       = friction.force;
     equations.force_operator     = in_plane;

@@ -41,8 +41,8 @@ namespace Sandglass
      * `shape`, `velocities` and `law` have to live as long as this object.
      *
      * @param velocities  of the cell's nodes, in m/s.
-     * @param change      what all particles' rates differ by from v^L's.
-     * @param averaged    if `is_averaged`.
+     * @param change      by how much all particles' rates differ from v^L's.
+     * @param averaged    used if `is_averaged`.
      */
     CellDeformation(const Shape            &shape,
                     const OfNodes          &velocities,
@@ -107,7 +107,7 @@ namespace Sandglass
     template <typename Number>
     using Increment = typename Kinematics::template Increment<Number>;
 
-    /// Of v^L with the change, in 1/s.
+    /// Gradient of v^L, the change included, in 1/s.
     template <typename Number>
     auto
     velocity_gradient(const Vector<Number> &reference) const

@@ -48,7 +48,8 @@ namespace Sandglass
     using Vector     = typename Setting::template Vector<>;
 
     /// @param points  where a cell's particles start, for
-    ///                ForceIntegration::cell; none for that by particles.
+    ///                ForceIntegration::cell; none for
+    ///                ForceIntegration::particles.
     CellIntegration(const Geometry                &geometry,
                     const std::vector<Point<dim>> &points)
       : geometry(geometry)
@@ -144,7 +145,7 @@ namespace Sandglass
     }
 
   private:
-    /// Of nodes: of the rows of B.
+    /// The nodes' weights in the rows of B.
     struct Weights
     {
       std::array<Vector, n_nodes> gradients;          ///< in 1/m
@@ -160,9 +161,9 @@ namespace Sandglass
       return 1. - empty * empty;
     }
 
-    /// w times the difference between the values where the mean point of the
-    /// filled cell is, times a factor, and those at the particles' mean point:
-    /// nothing for particles that fill the cell as at the start.
+    /// w times a difference: the values at the mean point of the filled cell,
+    /// times a factor, less those at the particles' mean point. It is zero for
+    /// particles that fill the cell as at the start.
     Weights
     exchange(const unsigned int cell,
              const Sums        &sums,
@@ -202,9 +203,9 @@ namespace Sandglass
     }
 
     const Geometry &geometry;
-    /// Of each filled cell, in m^3; none where particles integrate.
+    /// Volume of each filled cell, in m^3; none where particles integrate.
     std::vector<double> volumes;
-    /// At each filled cell's mean point, if strain is not uniform anyway.
+    /// Weights at each filled cell's mean point; none where strain is uniform.
     std::vector<Weights> weights_of_filled;
   };
 } // namespace Sandglass

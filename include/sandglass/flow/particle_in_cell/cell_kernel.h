@@ -37,7 +37,7 @@ namespace Sandglass
         field.at(nodes[i])[c] += values[i][c];
   }
 
-  /// sum_i a_i . b_i. A sum over cells takes it as one term: it would have to
+  /// sum_i a_i . b_i. It is one term for a sum over cells, which would have to
   /// wait for each of several.
   template <std::size_t n_components, std::size_t n_nodes>
   double
@@ -58,8 +58,8 @@ namespace Sandglass
     ((values[k] = Number(0.)), ...);
   }
 
-  /// Number by number: GCC makes a loop a `rep stos`, which takes longer to
-  /// start than all of them.
+  /// Set the numbers one by one: GCC turns a loop into `rep stos`, which takes
+  /// longer to start than this takes in all.
   template <typename Number, std::size_t n_values>
   void
   set_to_zero(std::array<Number, n_values> &values)
@@ -79,10 +79,10 @@ namespace Sandglass
   }
 
   /**
-   * The same for a kernel that goes through the cell's particles: the first
-   * blocks of cells to come are fetched into the cache meanwhile. On fine
-   * meshes, where particles that change cell have brought the blocks out of
-   * order, the processor doesn't foresee them.
+   * Like for_each_filled_cell(), for a kernel that goes through the cell's
+   * particles: the first blocks of cells to come are fetched into the cache
+   * meanwhile. On fine meshes, where particles that change cell have brought
+   * the blocks out of order, the processor doesn't foresee them.
    */
   template <typename Layout, typename Kernel>
   void

@@ -106,7 +106,7 @@ namespace Sandglass
     static constexpr int n_dofs = dim * n_nodes;
     using Matrix                = Eigen::Matrix<double, n_dofs, n_dofs>;
     using Vector                = Eigen::Matrix<double, n_dofs, 1>;
-    /// For each pair of nodes i <= j what displacement of j does to i.
+    /// For each pair of nodes i <= j: the effect on i of a displacement of j.
     using NodePairs = std::array<std::array<std::array<Lanes, dim>, dim>,
                                  n_nodes *(n_nodes + 1) / 2>;
 

@@ -27,7 +27,7 @@ namespace Sandglass
    *
    * The cell's share of the consistent mass matrix M = S^T M_d S is kept, not
    * only that of the lumped one. With it the momentum S^T M_d V of step 7 is
-   * that of step 2 plus dt M a, and one pass over the particles does for a
+   * that of step 2 plus dt M a, and one pass over the particles is enough for a
    * step.
    *
    * @tparam Number  Lanes while blocks are added, double for their sum.
@@ -88,7 +88,7 @@ namespace Sandglass
       add_force(state, volume, shape_values, shape);
     }
 
-    /// Of the consistent mass matrix, in kg.
+    /// An entry of the consistent mass matrix, in kg.
     Number
     mass_entry(const unsigned int i, const unsigned int j) const
     {
@@ -206,9 +206,9 @@ namespace Sandglass
     }
 
     /**
-     * Stress times volume, which constant gradients multiply later; where they
-     * are not constant, the force at each node; where they are, with hoop
-     * strain the part of the row N_i / x of B.
+     * Where gradients are constant: stress times volume, which they multiply
+     * later, and with hoop strain the part of the row N_i / x of B. Where they
+     * are not constant: the force at each node.
      */
     void
     add_force(const State                       &state,

@@ -62,8 +62,8 @@ namespace Sandglass
 
     /**
      * Let the springs of sticking friction follow the material, which moves
-     * with v^L and not with the nodes' velocity at the end of the step: what
-     * the nodes' mass swings by between the two would otherwise stretch the
+     * with v^L and not with the nodes' velocity at the end of the step.
+     * Otherwise the swing of the nodes' mass between the two would stretch the
      * springs, and material at rest would tremble and creep.
      *
      * @param time_step  of this step, in s.
@@ -73,8 +73,8 @@ namespace Sandglass
                      const double           time_step);
 
     /**
-     * Add to the forces of the step for which apply() was called last those
-     * that hold its nodes beyond what it has found, in N.
+     * Add `forces`, in N, to those of the step for which apply() was called
+     * last: they hold its nodes beyond what apply() has found.
      */
     void
     add_forces(const NodalField<dim> &forces, const double time_step);
@@ -148,8 +148,8 @@ namespace Sandglass
       return holding[n] == 1u << support && !nodes[n].is_fixed;
     }
 
-    /// Take away what the momentum of the material's mirror image beyond the
-    /// axis cancels, so that half a silo moves like the whole.
+    /// Take away the momentum that the material's mirror image beyond the axis
+    /// cancels, so that half a silo moves like the whole.
     static void
     cancel_by_image(const BoundaryNode<dim> &node, Tensor<1, dim> &velocity);
 

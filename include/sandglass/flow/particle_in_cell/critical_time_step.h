@@ -14,8 +14,9 @@
 namespace Sandglass
 {
   /**
-   * The largest stable time step for the particles' present positions: what the
-   * paper's eq. 17 is in one dimension and for one element, for the whole grid.
+   * The largest stable time step for the particles' present positions. It is
+   * for the whole grid what the paper's eq. 17 is for one element in one
+   * dimension.
    *
    * One step takes the nodal velocity from v to v + dt G f with
    * G = M^-1 M_c M^-1, where M is the mass matrix M_alpha and M_c = S^T M_d S
@@ -28,9 +29,9 @@ namespace Sandglass
    * Lanczos' method finds lambda: G K is symmetric in the inner product x^T K
    * y, and the largest eigenvalue of the tridiagonal matrix of a few iterations
    * is close to lambda, never above it. It starts afresh each time, since the
-   * stiffest spot moves and a restarted run has to find the same step, from
-   * random numbers times what each node's own entries of G and K say of it: a
-   * plain random vector would miss a single stiff node.
+   * stiffest spot moves and a restarted run has to find the same step. It
+   * starts from random numbers, each times a measure of the node by its own
+   * entries of G and K: a plain random vector would miss a single stiff node.
    *
    * Nodes on the axis and in fixed corners are held. On the axis of
    * axisymmetric scenes a particle's hoop strain would otherwise grow without
@@ -99,7 +100,7 @@ namespace Sandglass
       for (; n < n_iterations; ++n)
         {
           const double norm = multiply_by_stiffness(blocks, cells);
-          // Without stiffness, or all of it known already.
+          // Nothing is stiff, or all that is stiff has been found.
           if (!(norm > (n == 0 ? 0. : 1e-10 * diagonal[0])))
             break;
           if (n > 0)
@@ -128,7 +129,7 @@ namespace Sandglass
       return Utilities::MPI::max(largest, scene.communicator);
     }
 
-    /// Of compute().
+    /// The most iterations that compute() can do.
     static constexpr unsigned int max_iterations = 64;
 
   private:

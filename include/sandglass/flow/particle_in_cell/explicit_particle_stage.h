@@ -343,7 +343,8 @@ namespace Sandglass
     double
     find_critical_time_step() const override
     {
-      // Within a few per cent of the eigenvalue; the safety factor covers them.
+      // The result is within a few per cent of the eigenvalue, which the safety
+      // factor covers.
       constexpr unsigned int n_iterations = 7;
       mass_matrix.assemble(cloud.blocks(), nodal_sums, fields.sums);
       critical.assemble(cloud.blocks(), nodal_sums);

@@ -34,8 +34,8 @@ namespace Sandglass
     void
     release_held(NodalField<dim> &field) const;
 
-    /// As release_held(), where the axis or a fixed corner holds a node for
-    /// ever.
+    /// Like release_held(), but only where the axis or a fixed corner holds a
+    /// node for ever.
     void
     release_always_held(NodalField<dim> &field) const;
 

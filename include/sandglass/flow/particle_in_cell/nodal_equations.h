@@ -8,9 +8,9 @@
 namespace Sandglass
 {
   /**
-   * Step 2 of Section 4.4: v of M v = S^T M_d V (eq. 11). What contact needs of
-   * it is put back into fields.sums as momentum M_I v, which with the lumped
-   * matrix is there already.
+   * Step 2 of Section 4.4: v of M v = S^T M_d V (eq. 11). Contact needs it as
+   * the momentum M_I v, which is put into fields.sums; with the lumped matrix
+   * it is there already.
    */
   template <typename Setting>
   void

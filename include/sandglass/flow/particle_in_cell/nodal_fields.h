@@ -72,7 +72,7 @@ namespace Sandglass
       values.update_ghost_values();
     }
 
-    /// The same as a vector with n_components entries a node, for deal.II's
+    /// The field as a vector with n_components entries a node, for deal.II's
     /// solvers.
     Vector &
     vector()

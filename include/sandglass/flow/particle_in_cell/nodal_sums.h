@@ -74,8 +74,9 @@ namespace Sandglass
     }
 
     /**
-     * momentum = S^T M_d V of the particles after step 6, V += dt S a: that of
-     * before plus dt M a with the consistent mass matrix. Collective.
+     * momentum = S^T M_d V of the particles after step 6, V += dt S a: the
+     * momentum before the step plus dt M a with the consistent mass matrix.
+     * Collective.
      */
     SANDGLASS_OWN_FUNCTION void
     map_momentum(const Blocks          &blocks,

@@ -44,10 +44,10 @@ namespace Sandglass
     /**
      * @param acceleration  of step 5, in m/s^2.
      * @param velocity      v^L of step 7, in m/s.
-     * @param[out] sums     of the particles that are still in their cells.
-     * @param[in,out] volumetric_average  of velocity; then the sums for the
-     *                      next one.
-     * @param[out] strays   the others, taken out of the blocks.
+     * @param[out] sums     over the particles that are still in their cells.
+     * @param[in,out] volumetric_average  that of `velocity`; then the sums for
+     *                      the next one.
+     * @param[out] strays   the other particles, taken out of the blocks.
      * @return the plastic work of the step in J.
      */
     double

@@ -56,7 +56,7 @@ namespace Sandglass
    * Too large means more than 1.5 times the largest mass that a particle starts
    * with in that cell. The halves have the parent's velocity, stress and
    * density, and lie on both sides of where it was, along the principal
-   * extension of the deformation, since there the gaps are. So mass, momentum,
+   * extension of the deformation, since the gaps are there. So mass, momentum,
    * angular momentum, energy and centre of mass stay as they are. Particles
    * less dense than `smallest_density`, separated ones, are left alone.
    */
@@ -132,7 +132,8 @@ namespace Sandglass
     }
 
   private:
-    /// Of the largest mass that a particle starts with in the cell.
+    /// Largest mass that is not halved, over the largest one that a particle
+    /// starts with in the cell.
     static constexpr double largest_share = 1.5;
 
     /// Distance of a half from its parent, over the root of the parent's area.
@@ -213,7 +214,7 @@ namespace Sandglass
       return both;
     }
 
-    /// Of a particle in the section, in m^2.
+    /// Area of a particle in the section, in m^2.
     static double
     area(const Parcel &particle)
     {

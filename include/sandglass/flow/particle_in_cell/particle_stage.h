@@ -102,7 +102,7 @@ namespace Sandglass
     const Scene                   &scene;
     const ParticleStageParameters &parameters;
 
-    /// Told of each part of a step; usually nobody.
+    /// Who is told of each part of a step; usually nobody.
     StepWatcher *step_watcher = nullptr;
 
   protected:

@@ -12,7 +12,7 @@ namespace Sandglass
     /// Without the cut at the end, in s; 0: not known yet.
     double automatic_time_step = 0.;
 
-    /// The stiffest node's when that was found, in 1/s^2.
+    /// The stiffest node's eigenvalue when that step was found, in 1/s^2.
     double last_local_eigenvalue = 0.;
 
     /// The critical step found with it, in s; 0: none yet.

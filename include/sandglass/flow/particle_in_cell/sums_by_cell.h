@@ -46,7 +46,7 @@ namespace Sandglass
       });
     }
 
-    /// The same for the particles of one cell.
+    /// Sum over the particles of one cell anew.
     void
     compute(const Blocks &blocks, const unsigned int cell)
     {
@@ -101,7 +101,7 @@ namespace Sandglass
         }
     }
 
-    /// Of a cell that holds particles; those of empty ones are old.
+    /// The sums of a cell that holds particles; those of empty cells are old.
     const OfCell &
     operator[](const unsigned int cell) const
     {

@@ -58,7 +58,7 @@ namespace Sandglass
      * Find the averages for a velocity field with its ghosts. Collective; does
      * nothing if it is off.
      *
-     * @param sums  of the particles' present positions, as the own ones.
+     * @param sums  of the particles' present positions, as `cells` are.
      */
     SANDGLASS_OWN_FUNCTION void
     compute(const Blocks             &blocks,
@@ -106,7 +106,7 @@ namespace Sandglass
       return sum / n_nodes;
     }
 
-    /// Of the last compute(), see NodalSums::rate_change().
+    /// Change of the rates in the last compute(), see NodalSums::rate_change().
     RateChange
     rate_change(const unsigned int cell) const
     {
@@ -118,10 +118,10 @@ namespace Sandglass
 
     const bool is_on;
 
-    /// Of stressed particles, in kg/m^3.
+    /// Smallest density of stressed particles, in kg/m^3.
     const double smallest_density;
 
-    /// Of the particles' present positions; none if it is off.
+    /// Sums at the particles' present positions; none if averaging is off.
     std::unique_ptr<Sums> cells;
 
   private:
@@ -136,7 +136,7 @@ namespace Sandglass
     const Geometry                       &geometry;
     const unsigned int                    n_owned_nodes;
     std::unique_ptr<NodalField<n_values>> nodal;
-    /// Of each cell with particles, unless strain is uniform.
+    /// Change of the rates in each filled cell, unless strain is uniform.
     std::vector<RateChange> rate_changes;
   };
 } // namespace Sandglass

@@ -8,10 +8,10 @@ namespace Sandglass
 {
   /**
    * What VolumetricAverage needs to know of a cell's stressed particles: their
-   * volume, and that times the change of volume that a velocity of the cell's
-   * nodes means to each. The rate is linear in the nodes' velocities, with the
-   * weights dN_i/dx_d, and N_i / x more for the hoop rate; their sums over the
-   * particles do for any velocity.
+   * volume, and this volume times the change of volume that the velocities of
+   * the cell's nodes cause. The rate is linear in these velocities, with the
+   * weights dN_i/dx_d, and also N_i / x for the hoop rate; the weights' sums
+   * over the particles suffice for any velocities.
    *
    * @tparam Number  Lanes while blocks are added, double for their sum.
    */

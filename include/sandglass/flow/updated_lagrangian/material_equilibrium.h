@@ -23,7 +23,7 @@ namespace Sandglass
     using Stress     = typename Kinematics::template Stress<>;
     using Gradient   = typename Kinematics::Response::Gradient;
 
-    /// At a quadrature point; "before" is the start of the load step.
+    /// State at a quadrature point; "before" is the start of the load step.
     struct MaterialPoint
     {
       Stress                stress_before = Stress::Zero();   ///< in Pa
@@ -55,7 +55,7 @@ namespace Sandglass
                         const double           density,
                         const Tensor<1, dim>  &gravity);
 
-    /// Under a body force that varies in space, as manufactured solutions have.
+    /// For a body force that varies in space, as in manufactured solutions.
     MaterialEquilibrium(const FilledGrid<dim> &grid,
                         const Law             &law,
                         const double           density,
@@ -191,7 +191,8 @@ namespace Sandglass
 
     std::vector<MaterialPoint>    points;
     std::vector<GradientOperator> gradient_operators;
-    /// In the reference configuration, in m^3 (plane strain: per m of depth).
+    /// The points' volumes in the reference configuration, in m^3 (plane
+    /// strain: per m of depth).
     std::vector<double> volumes;
   };
 } // namespace Sandglass

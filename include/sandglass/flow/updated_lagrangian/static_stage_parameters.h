@@ -11,7 +11,8 @@ namespace Sandglass
   public:
     StaticStageParameters();
 
-    /// Without it, material starts unstressed and undisplaced.
+    /// Whether there is a static stage; without it, material starts unstressed
+    /// and undisplaced.
     bool is_enabled = true;
     /// Whether particles start from where the load has moved them.
     bool         displaces_particles = false;
@@ -21,7 +22,8 @@ namespace Sandglass
     unsigned int maximum_iterations = 100;
     /// Shares of the whole load below which a load step is not cut further.
     double smallest_load_step = 1e-3;
-    /// Beyond that, tangents are inverted by multigrid.
+    /// Most unknowns for the direct solver; beyond that, tangents are inverted
+    /// by multigrid.
     unsigned int most_direct_unknowns = 20000;
   };
 } // namespace Sandglass

@@ -47,7 +47,7 @@ namespace Sandglass
 
     std::vector<CellState> cells;
 
-    /// Of the nodes that this rank owns.
+    /// Wall forces on the nodes that this rank owns.
     std::vector<WallForce<dim>> wall_forces;
 
     StaticEffort effort;

@@ -59,7 +59,7 @@ namespace Sandglass
     void
     vmult(DisplacementVector &result, const DisplacementVector &vector) const;
 
-    /// As it is stored.
+    /// The matrix as it is stored.
     const TrilinosWrappers::SparseMatrix &
     stored_matrix() const
     {
@@ -78,8 +78,8 @@ namespace Sandglass
     /// Trilinos' arrays: beginnings of rows, columns and values of entries.
     int    *row_begins = nullptr, *columns = nullptr;
     double *values = nullptr;
-    /// Of each local cell's entries, row by row; invalid_unsigned_int for those
-    /// that other ranks store.
+    /// Positions of each local cell's entries, row by row; invalid_unsigned_int
+    /// for those that other ranks store.
     std::vector<unsigned int> positions;
   };
 } // namespace Sandglass

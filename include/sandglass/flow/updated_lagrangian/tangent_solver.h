@@ -34,7 +34,7 @@ namespace Sandglass
     bool
     solve(const Vector &right_side, const double tolerance, Vector &solution);
 
-    /// Since the beginning.
+    /// Number of iterations since the beginning.
     unsigned int
     n_iterations() const
     {
@@ -49,7 +49,7 @@ namespace Sandglass
       Vector direction, image;
     };
 
-    /// With the preconditioner as it is; false if it is too old.
+    /// Solve with the preconditioner as it is; false if it is too old.
     bool
     iterate(const Vector &right_side, const double tolerance, Vector &solution);
 
@@ -65,8 +65,8 @@ namespace Sandglass
     const std::unique_ptr<TangentPreconditioner<dim>> preconditioner;
     bool                                              is_updated       = false;
     unsigned int                                      n_all_iterations = 0;
-    /// Since the preconditioner's update: solutions found, iterations for these
-    /// and for the last of them.
+    /// Counts since the preconditioner's update: solutions found, iterations
+    /// for these and for the last of them.
     unsigned int n_solutions = 0, n_their_iterations = 0, last_iterations = 0;
 
     Vector                   residual;

@@ -97,8 +97,9 @@ namespace Sandglass
     /**
      * Release supports that pull, and close those that the displacement has
      * passed. Needs evaluate() at the same iterate. A pull below the node's own
-     * weight is let be, without friction: the mesh doesn't resolve it, and at
-     * the free surface the released node would often find no other place.
+     * weight is left as it is, without friction: the mesh doesn't resolve it,
+     * and at the free surface the released node would often find no other
+     * place.
      *
      * @param load_share  share of gravity that acts.
      * @return number of changes on all ranks.
@@ -113,7 +114,7 @@ namespace Sandglass
     void
     restore();
 
-    /// Of the owned nodes.
+    /// Wall forces on the owned nodes.
     std::vector<WallForce<dim>>
     wall_forces() const;
 
