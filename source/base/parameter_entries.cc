@@ -131,6 +131,18 @@ namespace Sandglass
 
 
 
+  std::string
+  to_text(const NamedNumbers::value_type &named)
+  {
+    std::ostringstream text;
+    text << named.first << ':';
+    for (const double number : named.second)
+      text << ' ' << number;
+    return text.str();
+  }
+
+
+
   std::optional<NamedNumbers>
   NamedNumbersPattern::parse(const std::string &text) const
   {

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace Sandglass
 {
@@ -59,25 +58,13 @@ namespace Sandglass
 
 
 
-    /// As the parameter file has them.
+    /// All of them as the parameter file has them.
     std::string
-    to_text(const std::string &name, const std::vector<double> &values)
-    {
-      std::ostringstream text;
-      text << name << ':';
-      for (const double value : values)
-        text << ' ' << value;
-      return text.str();
-    }
-
-
-
-    std::string
-    to_text(const NamedNumbers &values)
+    list(const NamedNumbers &values)
     {
       std::string text;
-      for (const auto &[name, numbers] : values)
-        text += (text.empty() ? "" : ", ") + to_text(name, numbers);
+      for (const auto &named : values)
+        text += (text.empty() ? "" : ", ") + to_text(named);
       return text;
     }
 
@@ -152,7 +139,7 @@ namespace Sandglass
                          }))
           throw InputError("Walls",
                            parameter,
-                           to_text(name, numbers),
+                           to_text({name, numbers}),
                            "the mesh has no wall '" + name +
                              "'; allowed are names of its walls: " +
                              names_of(walls));
@@ -172,7 +159,7 @@ namespace Sandglass
                                         const std::string &allowed) {
         throw InputError("Walls",
                          "Velocities",
-                         to_text(name, velocities.at(name)),
+                         to_text(*velocities.find(name)),
                          allowed);
       };
       for (const auto &[name, numbers] : velocities)
@@ -231,7 +218,7 @@ namespace Sandglass
           throw InputError(
             "Walls",
             "Friction angles",
-            to_text(parameters.friction_angles),
+            list(parameters.friction_angles),
             "faces of the mesh's boundary belong to the physical group '" +
               name +
               "'; allowed are the groups axis, wall, floor, hopper, outlet, "

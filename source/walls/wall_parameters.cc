@@ -107,8 +107,7 @@ namespace Sandglass
       if (angle && friction_angles.count(part) > 0)
         throw InputError("Walls",
                          "Friction angles",
-                         part + ": " +
-                           std::to_string(friction_angles.at(part)[0]),
+                         to_text(*friction_angles.find(part)),
                          "allowed is one friction angle for each wall, but '" +
                            other_name + "' is set as well");
     };

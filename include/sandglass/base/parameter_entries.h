@@ -84,6 +84,10 @@ namespace Sandglass
   /// One or several numbers for each of some names.
   using NamedNumbers = std::map<std::string, std::vector<double>>;
 
+  /// One of them as a parameter file has it: `name: number number`.
+  std::string
+  to_text(const NamedNumbers::value_type &named);
+
   /**
    * Pattern of a list `name: number, name: number`, in which each name stands
    * once. Where there are several numbers for a name, spaces are between them.
