@@ -1,3 +1,5 @@
+#include <deal.II/base/utilities.h>
+
 #include <sandglass/base/exceptions.h>
 #include <sandglass/walls/wall_parameters.h>
 
@@ -108,7 +110,7 @@ namespace Sandglass
         throw InputError("Walls",
                          "Friction angles",
                          part + ": " +
-                           std::to_string(friction_angles.at(part)[0]),
+                           dealii::Utilities::to_string(friction_angles.at(part)[0]),
                          "allowed is one friction angle for each wall, but '" +
                            other_name + "' is set as well");
     };
