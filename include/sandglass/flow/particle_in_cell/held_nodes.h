@@ -58,6 +58,10 @@ namespace Sandglass
     {
       if (node.is_fixed)
         return {};
+      if (holding == 0)
+        return velocity;
+      if (node.supports.size() == 1) // as nearly all nodes have
+        return node.supports[0].tangential(velocity);
       return HeldDirections<dim>(node.supports, holding).left_of(velocity);
     }
 
