@@ -49,12 +49,12 @@ namespace Sandglass
   }
 
   /// Call `function(TypeTag<Law>())` for the law of this name.
-  template <typename Laws = AllLaws, typename Function>
+  template <typename Function>
   void
   choose_law(const std::string &name, const Function &function)
   {
     choose(
-      Laws(),
+      AllLaws(),
       [&name](const auto law) { return name == decltype(law)::Type::name; },
       function);
   }

@@ -1,7 +1,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/flow/particle_in_cell/particle_splitting.h>
+#include <sandglass/output/section_wall_lines.h>
 #include <sandglass/output/silo_measures.h>
-#include <sandglass/output/wall_lines.h>
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/walls/boundary_nodes.h>
 

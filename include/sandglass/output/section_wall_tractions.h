@@ -9,8 +9,8 @@
 #include <sandglass/output/field_series.h>
 #include <sandglass/output/janssen.h>
 #include <sandglass/output/output_parameters.h>
+#include <sandglass/output/section_wall_lines.h>
 #include <sandglass/output/silo_measures.h>
-#include <sandglass/output/wall_lines.h>
 
 #include <boost/serialization/vector.hpp>
 

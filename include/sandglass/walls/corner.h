@@ -105,19 +105,12 @@ namespace Sandglass
     std::array<unsigned int, dim>   support{};
   };
 
-  /**
-   * The supports that hold a node with this velocity: the smallest set that
-   * leaves nothing that another support would have to stop, and none of which
-   * would have to pull. The axis always holds.
-   */
+  /// holding_supports() of a node with several supports.
   template <int dim>
   SupportSet
-  holding_supports(const Supports<dim>  &supports,
-                   const Tensor<1, dim> &velocity)
+  holding_in_corner(const Supports<dim>  &supports,
+                    const Tensor<1, dim> &velocity)
   {
-    if (supports.size() == 1) // as nearly all nodes have
-      return supports[0].is_axis || velocity * supports[0].normal > 0. ? 1 : 0;
-
     const auto all_hold = [&](const SupportSet               set,
                               const std::array<double, dim> &pressures) {
       for (unsigned int k = 0; k < supports.size(); ++k)
@@ -145,6 +138,23 @@ namespace Sandglass
               return set;
           }
     return all;
+  }
+
+
+
+  /**
+   * The supports that hold a node with this velocity: the smallest set that
+   * leaves nothing that another support would have to stop, and none of which
+   * would have to pull. The axis always holds.
+   */
+  template <int dim>
+  inline SupportSet
+  holding_supports(const Supports<dim>  &supports,
+                   const Tensor<1, dim> &velocity)
+  {
+    if (supports.size() == 1) // as nearly all nodes have
+      return supports[0].is_axis || velocity * supports[0].normal > 0. ? 1 : 0;
+    return holding_in_corner<dim>(supports, velocity);
   }
 } // namespace Sandglass
 

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/base/gather.h>
 #include <sandglass/choices.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
 
@@ -42,10 +43,7 @@ namespace Sandglass
     std::vector<SavedNode<dim>> of_rank;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       of_rank.push_back({nodes[n].vertex, memories[n], sums.at_nodes[n]});
-    std::vector<SavedNode<dim>> saved;
-    for (const auto &part : Utilities::MPI::gather(scene.communicator, of_rank))
-      saved.insert(saved.end(), part.begin(), part.end());
-    archive << summed_time << saved
+    archive << summed_time << gather_on_first(of_rank, scene.communicator)
             << Utilities::MPI::gather(scene.communicator, sums.on_particles);
   }
 

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/choices.h>
+#include <sandglass/flow/in_space.h>
 #include <sandglass/flow/particle_in_cell/wall_impulse_sums.h>
 #include <sandglass/walls/face_geometry.h>
 
@@ -10,31 +11,6 @@
 
 namespace Sandglass
 {
-  namespace
-  {
-    template <int dim>
-    WallRecord
-    make_record(const BoundaryNode<dim> &node,
-                const Support<dim>      &support,
-                const WallShare         &share,
-                const Tensor<1, dim>    &impulse)
-    {
-      WallRecord record{};
-      record.wall   = share.wall;
-      record.vertex = node.vertex;
-      record.area   = share.area;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          record.position[d] = node.position[d];
-          record.normal[d]   = support.normal[d];
-          record.impulse[d]  = impulse[d];
-        }
-      return record;
-    }
-  } // namespace
-
-
-
   template <int dim>
   WallImpulseSums<dim>::WallImpulseSums(
     const Scene<dim>                     &scene,
@@ -114,8 +90,12 @@ namespace Sandglass
         {
           const Support<dim> &support = nodes[n].supports[s];
           for (unsigned int w = 0; w < support.walls.size(); ++w)
-            result.push_back(
-              make_record(nodes[n], support, support.walls[w], sums[n][s][w]));
+            result.push_back({support.walls[w].wall,
+                              nodes[n].vertex,
+                              in_space(nodes[n].position),
+                              in_space(support.normal),
+                              support.walls[w].area,
+                              in_space(sums[n][s][w])});
         }
     return result;
   }

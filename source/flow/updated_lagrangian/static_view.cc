@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/choices.h>
+#include <sandglass/flow/in_space.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/flow/updated_lagrangian/vertex_values.h>
 
@@ -88,18 +89,13 @@ namespace Sandglass
           continue;
         for (unsigned int n = 0; n < result.nodes_per_cell; ++n)
           {
-            const unsigned int v = is_simplex(scene.mesh.cell_type) ?
-                                     n :
-                                     GeometryInfo<dim>::ucd_to_deal[n];
+            const unsigned int v =
+              vertex_in_vtk_order<dim>(scene.mesh.cell_type, n);
             const auto [number, is_new] =
               numbers.emplace(cell->vertex_index(v), result.nodes.size());
             if (is_new)
-              {
-                NodeRecord node{{}, nodal_mass(cell, v), {}};
-                for (unsigned int d = 0; d < dim; ++d)
-                  node.location[d] = cell->vertex(v)[d];
-                result.nodes.push_back(node);
-              }
+              result.nodes.push_back(
+                {in_space(cell->vertex(v)), nodal_mass(cell, v), {}});
             result.nodes_of_cells.push_back(number->second);
           }
         result.cells.push_back({0, cell->subdomain_id()});
@@ -163,19 +159,12 @@ namespace Sandglass
     WallRecords result;
     result.time = 1.;
     for (const WallForce<dim> &force : contact.wall_forces())
-      {
-        WallRecord record{};
-        record.wall   = force.wall;
-        record.vertex = force.vertex;
-        record.area   = force.area;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            record.position[d] = scene.mesh.vertices[force.vertex][d];
-            record.normal[d]   = force.normal[d];
-            record.impulse[d]  = result.time * force.force[d];
-          }
-        result.records.push_back(record);
-      }
+      result.records.push_back({force.wall,
+                                force.vertex,
+                                in_space(scene.mesh.vertices[force.vertex]),
+                                in_space(force.normal),
+                                force.area,
+                                in_space(result.time * force.force)});
     return result;
   }
 

@@ -1,5 +1,6 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/base/gather.h>
 #include <sandglass/choices.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
 
@@ -38,7 +39,7 @@ namespace Sandglass
   void
   WallContact<dim>::save(boost::archive::binary_oarchive &archive) const
   {
-    std::vector<SavedNode<dim>> of_rank, all;
+    std::vector<SavedNode<dim>> of_rank;
     for (const Node &node : nodes)
       if (node.is_owned)
         {
@@ -51,9 +52,7 @@ namespace Sandglass
             }
           of_rank.push_back(saved);
         }
-    for (const auto &part : Utilities::MPI::gather(communicator, of_rank))
-      all.insert(all.end(), part.begin(), part.end());
-    archive << all;
+    archive << gather_on_first(of_rank, communicator);
   }
 
 

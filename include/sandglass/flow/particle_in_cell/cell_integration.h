@@ -119,10 +119,7 @@ namespace Sandglass
       double
       volumetric() const
       {
-        double trace = gradient[0][0];
-        for (unsigned int d = 1; d < dim; ++d)
-          trace += gradient[d][d];
-        return trace + hoop;
+        return trace(gradient) + hoop;
       }
     };
 

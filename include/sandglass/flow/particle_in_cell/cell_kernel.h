@@ -133,6 +133,17 @@ namespace Sandglass
     return gradient;
   }
 
+  /// Sum of a gradient's diagonal: for a velocity the volumetric rate.
+  template <std::size_t dim>
+  double
+  trace(const std::array<std::array<double, dim>, dim> &gradient)
+  {
+    double sum = gradient[0][0];
+    for (unsigned int d = 1; d < dim; ++d)
+      sum += gradient[d][d];
+    return sum;
+  }
+
   /// The point of a cell whose coordinates are all one over the number of
   /// nodes: a simplex's centroid, where a cell is looked at as a whole.
   template <typename Shape>

@@ -1,14 +1,11 @@
 #ifndef sandglass_flow_particle_in_cell_stage_checkpoint_templates_h
 #define sandglass_flow_particle_in_cell_stage_checkpoint_templates_h
 
-#include <deal.II/base/mpi.h>
-
+#include <sandglass/base/gather.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
-
-#include <map>
 
 namespace Sandglass
 {
@@ -17,14 +14,13 @@ namespace Sandglass
   {
     double plastic_dissipation, friction_dissipation, wall_work; ///< in J
     double mass_discharged, mass_lost;                           ///< in kg
-    double particle_steps;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &plastic_dissipation &friction_dissipation &wall_work
-        &mass_discharged &mass_lost &particle_steps;
+        &mass_discharged &mass_lost;
     }
 
     StageSums &
@@ -35,25 +31,9 @@ namespace Sandglass
       wall_work += other.wall_work;
       mass_discharged += other.mass_discharged;
       mass_lost += other.mass_lost;
-      particle_steps += other.particle_steps;
       return *this;
     }
   };
-
-  /// What all ranks have, in order of the ranks, on rank 0.
-  template <typename T>
-  std::vector<T>
-  gather_on_first(const std::vector<T> &of_rank, const MPI_Comm communicator)
-  {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return of_rank;
-    std::vector<T> all;
-    for (const auto &part : Utilities::MPI::gather(communicator, of_rank))
-      all.insert(all.end(), part.begin(), part.end());
-    return all;
-  }
-
-
 
   template <typename Layout>
   void
@@ -65,8 +45,7 @@ namespace Sandglass
                                  contact.friction_dissipation(),
                                  contact.wall_work(),
                                  removed.discharged,
-                                 removed.lost,
-                                 static_cast<double>(particle_steps)};
+                                 removed.lost};
     const auto      sums =
       gather_on_first(std::vector<StageSums>{sums_of_rank}, communicator);
 

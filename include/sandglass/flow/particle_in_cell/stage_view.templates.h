@@ -1,37 +1,11 @@
 #ifndef sandglass_flow_particle_in_cell_stage_view_templates_h
 #define sandglass_flow_particle_in_cell_stage_view_templates_h
 
+#include <sandglass/flow/in_space.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 namespace Sandglass
 {
-  /// A vector of the grid among those of three components; the others are zero.
-  template <typename Result, int dim>
-  Result
-  in_space(const Tensor<1, dim> &vector)
-  {
-    Result result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = vector[d];
-    return result;
-  }
-
-  template <int dim>
-  Point<3>
-  in_space(const Point<dim> &point)
-  {
-    return in_space<Point<3>, dim>(point);
-  }
-
-  template <int dim>
-  Tensor<1, 3>
-  in_space(const Tensor<1, dim> &vector)
-  {
-    return in_space<Tensor<1, 3>, dim>(vector);
-  }
-
-
-
   template <typename Layout>
   void
   ParticleStage<Layout>::for_each_particle(
@@ -81,9 +55,8 @@ namespace Sandglass
           continue;
         for (unsigned int n = 0; n < result.nodes_per_cell; ++n)
           {
-            const unsigned int vertex = is_simplex(scene.mesh.cell_type) ?
-                                          n :
-                                          GeometryInfo<dim>::ucd_to_deal[n];
+            const unsigned int vertex =
+              vertex_in_vtk_order<dim>(scene.mesh.cell_type, n);
             const unsigned int node =
               scene.nodes->global_to_local(cell->vertex_dof_index(vertex, 0));
             if (numbers[node] == unknown)

@@ -89,10 +89,7 @@ namespace Sandglass
             gradient_of(velocities,
                         shape.shape_gradients(
                           typename Setting::template Vector<>()));
-          double trace = gradient[0][0];
-          for (unsigned int d = 1; d < dim; ++d)
-            trace += gradient[d][d];
-          result = trace * values[volume];
+          result = trace(gradient) * values[volume];
           if constexpr (Setting::has_hoop_strain)
             for (unsigned int i = 0; i < n_nodes; ++i)
               result += velocities[i][0] * values[radial_weight(i)];

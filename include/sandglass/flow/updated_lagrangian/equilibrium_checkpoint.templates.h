@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/base/gather.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 
 #include <boost/serialization/vector.hpp>
@@ -16,7 +17,7 @@ namespace Sandglass
   MaterialEquilibrium<Kinematics, Law>::save(
     boost::archive::binary_oarchive &archive) const
   {
-    std::vector<SavedPoint> of_rank, all;
+    std::vector<SavedPoint> of_rank;
     for (const auto &local_cell : grid.local_cells)
       if (local_cell.cell->is_locally_owned())
         for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
@@ -25,10 +26,7 @@ namespace Sandglass
             of_rank.push_back(
               {i, points[i], gradient_operators[i], volumes[i]});
           }
-    for (const auto &part :
-         Utilities::MPI::gather(grid.triangulation.get_communicator(), of_rank))
-      all.insert(all.end(), part.begin(), part.end());
-    archive << all;
+    archive << gather_on_first(of_rank, grid.triangulation.get_communicator());
   }
 
 

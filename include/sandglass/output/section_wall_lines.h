@@ -1,5 +1,5 @@
-#ifndef sandglass_output_wall_lines_h
-#define sandglass_output_wall_lines_h
+#ifndef sandglass_output_section_wall_lines_h
+#define sandglass_output_section_wall_lines_h
 
 #include <sandglass/scene/mesh.h>
 #include <sandglass/walls/wall.h>

@@ -1,4 +1,4 @@
-#include <sandglass/output/wall_lines.h>
+#include <sandglass/output/section_wall_lines.h>
 
 #include <algorithm>
 #include <cmath>
