@@ -14,7 +14,7 @@ namespace Sandglass
   namespace
   {
     /// To be raised whenever what any class writes into archives changes.
-    const std::string format = "Sandglass checkpoint 7";
+    const std::string format = "Sandglass checkpoint 8";
 
     /// Call `read(archive)`; throws InputError where it can't be read.
     template <typename Read>

@@ -202,13 +202,31 @@ TEST_F(ContactTest, TwoWallsInAPlaneShareByAreaAndFriction)
 
 
 
-// A corner's impulse is shared along the normals, without friction.
+// A corner's impulse is shared along the normals.
 TEST_F(ContactTest, InACornerEachWallHasItsNormalsShare)
 {
   start_at({1., 0.});
   end_velocity(Velocity({0.5, -0.3}));
   expect_equal(impulse_of("wall"), Velocity({-0.5 * mass, 0.}));
   expect_equal(impulse_of("floor"), Velocity({0., 0.3 * mass}));
+}
+
+
+
+// With 20 degrees of friction at wall and floor a velocity into the corner
+// stops although one of the normals alone would let it slide off; one that is
+// further away from the corner slides.
+TEST_F(ContactTest, InACornerFrictionHelpsBothWallsToHold)
+{
+  start_at({1., 0.});
+  expect_equal(end_velocity(Velocity({-0.1, -0.3})), Velocity());
+  expect_equal(end_velocity(Velocity({0.3, 0.1})), Velocity());
+  const double mu = std::tan(20. * numbers::PI / 180.);
+  expect_equal(end_velocity(Velocity({-0.2, -0.3})),
+               Velocity({-0.2 + 0.3 * mu, 0.}));
+  EXPECT_NEAR(contact->friction_dissipation(),
+              mass * 0.3 * mu * (0.2 - 0.3 * mu),
+              1e-15);
 }
 
 
@@ -223,7 +241,9 @@ TEST_F(ContactTest, FrictionFollowsTheVelocityRelativeToTheWalls)
   const double end     = 1. + impulse / mass;
   expect_equal(end_velocity(Velocity({1., -0.3})), Velocity({end, 0.}));
   EXPECT_NEAR(contact->wall_work(), impulse * 3., 1e-14);
-  EXPECT_NEAR(contact->friction_dissipation(), impulse * (3. - end), 1e-14);
+  EXPECT_NEAR(contact->friction_dissipation() + contact->friction_energy(),
+              impulse * (3. - end),
+              1e-14);
   // The same velocity as the wall's, nothing being stretched: no friction.
   start_at({0.5, 0.});
   expect_equal(end_velocity(Velocity({3., -0.3})), Velocity({3., 0.}));

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+
+#include "random_engine.h"
 
 using namespace Sandglass;
 
@@ -31,13 +34,15 @@ namespace
         const double     velocity,
         const double     free_velocity)
   {
-    const Force result = friction.force(memory,
-                                        limit,
-                                        along(velocity),
-                                        along(free_velocity),
-                                        mass,
-                                        area,
-                                        time_step);
+    const Force result = friction
+                           .step(memory,
+                                 limit,
+                                 along(velocity),
+                                 along(free_velocity),
+                                 mass,
+                                 area,
+                                 time_step)
+                           .force;
     EXPECT_NEAR((result - along(result * along(1.))).norm(), 0., 1e-15);
     EXPECT_EQ((result - memory.force).norm(), 0.);
     return result * along(1.);
@@ -127,8 +132,8 @@ TEST(Friction, ALimitedSpringKeepsItsEnergyWhenItsNodeLosesMass)
   const Friction2 limited(1e6, 1e-3, FrictionUpdate::return_mapping);
   Memory          memory{along(2.), false};
   const auto      rest = [&](const double node_mass, const double step) {
-    return limited.force(
-             memory, limit, Force(), Force(), node_mass, area, step) *
+    return limited.step(memory, limit, Force(), Force(), node_mass, area, step)
+             .force *
            along(1.);
   };
   // The spring itself slows the node by a thousandth in each step.
@@ -137,10 +142,41 @@ TEST(Friction, ALimitedSpringKeepsItsEnergyWhenItsNodeLosesMass)
   EXPECT_NEAR(rest(mass / 4., time_step / 2.), 1. / std::pow(1.001, 3), 1e-14);
 }
 
+// The slip's work is what the spring keeps more and what is dissipated; the
+// latter is never negative, whatever slip, mass and limit do.
+TEST(Friction, DissipationNeverFallsAndClosesTheEnergyBalance)
+{
+  auto                                   engine = random_engine();
+  std::uniform_real_distribution<double> of_one(-1., 1.);
+  const Friction2 limited(1e3, 1e-3, FrictionUpdate::return_mapping);
+  Memory          memory;
+  bool            has_stuck = false, has_slid = false;
+  for (unsigned int i = 0; i < 1000; ++i)
+    {
+      const double node_mass = mass * (1.2 + of_one(engine));
+      const double most      = limit * (1. + of_one(engine));
+      const Force  free      = along(of_one(engine));
+      // The change of mass keeps the spring's energy.
+      const double kept = limited.energy(memory, area, time_step);
+      const auto   step =
+        limited.step(memory, most, free, free, node_mass, area, time_step);
+      const Force end = free + time_step / node_mass * step.force;
+      EXPECT_GE(step.dissipation, 0.);
+      EXPECT_NEAR(-time_step * (step.force * end),
+                  limited.energy(memory, area, time_step) - kept +
+                    step.dissipation,
+                  1e-13);
+      (memory.is_sliding ? has_slid : has_stuck) = true;
+    }
+  EXPECT_TRUE(has_stuck);
+  EXPECT_TRUE(has_slid);
+}
+
 TEST(Friction, VanishesWithoutNormalForce)
 {
   Memory memory{along(-1.), false};
-  EXPECT_EQ(return_mapping.force(
-              memory, 0., along(1.), along(1.), mass, area, time_step),
+  EXPECT_EQ(return_mapping
+              .step(memory, 0., along(1.), along(1.), mass, area, time_step)
+              .force,
             Force());
 }

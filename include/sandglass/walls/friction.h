@@ -27,6 +27,15 @@ namespace Sandglass
     }
   };
 
+  /// What friction does in one step.
+  template <int dim>
+  struct FrictionStep
+  {
+    Tensor<1, dim> force; ///< on the material at the end of the step, in N
+    /// In J, never negative: the slip's work that no spring has kept.
+    double dissipation;
+  };
+
   /// How the friction of a sliding node goes on.
   enum class FrictionUpdate
   {
@@ -71,7 +80,7 @@ namespace Sandglass
     {}
 
     /**
-     * The tangential force on the material at the end of the step, in N.
+     * The tangential force on the material, and what it dissipates.
      *
      * @param[in,out] memory  updated to the end of the step.
      * @param limit           mu times the normal force, >= 0, in N.
@@ -81,14 +90,14 @@ namespace Sandglass
      * @param area            of wall that belongs to the node, in m^2.
      * @param time_step       in s.
      */
-    Tensor<1, dim>
-    force(FrictionMemory<dim>  &memory,
-          const double          limit,
-          const Tensor<1, dim> &velocity,
-          const Tensor<1, dim> &free_velocity,
-          const double          mass,
-          const double          area,
-          const double          time_step) const
+    FrictionStep<dim>
+    step(FrictionMemory<dim>  &memory,
+         const double          limit,
+         const Tensor<1, dim> &velocity,
+         const Tensor<1, dim> &free_velocity,
+         const double          mass,
+         const double          area,
+         const double          time_step) const
     {
       Tensor<1, dim> start_force =
         force_at_new_mass(memory, mass, area, time_step);
@@ -101,22 +110,40 @@ namespace Sandglass
           if (velocity * end_velocity > 0.)
             {
               memory.force = start_force;
-              return start_force;
+              return {start_force, -time_step * (start_force * end_velocity)};
             }
         }
 
-      const double stretching = stiffness(mass, area, time_step) * time_step;
-      const auto friction = coulomb((start_force - stretching * free_velocity) /
-                                      (1. + stretching * time_step / mass),
-                                    limit);
+      const double         spring     = stiffness(mass, area, time_step);
+      const double         stretching = spring * time_step;
+      const double         yielding   = 1. + stretching * time_step / mass;
+      const Tensor<1, dim> trial =
+        (start_force - stretching * free_velocity) / yielding;
+      const auto friction = coulomb(trial, limit);
       memory.is_sliding   = friction.is_sliding;
       memory.force        = friction.force;
-      return friction.force;
+      // The plastic slip's work, and what the step's end instead of its course
+      // takes from the spring: the slip's work less what the spring keeps.
+      return {friction.force,
+              (yielding * (friction.force * (trial - friction.force)) +
+               0.5 * (friction.force - start_force).norm_square()) /
+                spring};
+    }
+
+    /// What a node's spring keeps, in J.
+    double
+    energy(const FrictionMemory<dim> &memory,
+           const double               area,
+           const double               time_step) const
+    {
+      return memory.mass == 0. ? 0. :
+                                 0.5 * memory.force.norm_square() /
+                                   stiffness(memory.mass, area, time_step);
     }
 
     /**
      * Let the force of a sticking node follow a displacement of the material
-     * that force() has not known of.
+     * that step() has not known of.
      *
      * @param velocity   tangential, beyond that at the step's end, in m/s.
      * @param area       of wall that belongs to the node, in m^2.

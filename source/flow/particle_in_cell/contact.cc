@@ -55,7 +55,10 @@ namespace Sandglass
     , end_velocities(nodes.size())
     , memories(nodes.size())
     , sums(scene, nodes)
-  {}
+  {
+    for (const BoundaryNode<dim> &node : nodes)
+      cones.emplace_back(node.supports);
+  }
 
 
 
@@ -72,7 +75,9 @@ namespace Sandglass
 
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
-        memories[n]             = {};
+        memories[n] = {};
+        if (is_corner(n))
+          continue;
         const auto [begin, end] = forces_at.equal_range(nodes[n].vertex);
         for (auto entry = begin; entry != end; ++entry)
           {
@@ -92,6 +97,7 @@ namespace Sandglass
                       const double              time_step,
                       NodalField<dim>          &acceleration)
   {
+    this->time_step = time_step;
     summed_time += time_step;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
@@ -100,8 +106,9 @@ namespace Sandglass
         const double             mass = sum[NodalSum::mass];
         if (mass <= 0.)
           {
-            memories[n] = {};
-            holding[n]  = 0;
+            for (unsigned int s = 0; s < node.supports.size(); ++s)
+              release_friction(n, s);
+            holding[n] = 0;
             continue;
           }
 
@@ -116,7 +123,7 @@ namespace Sandglass
 
         const Tensor<1, dim> approach =
           stops_velocity ? free_velocity : free_velocity - velocity;
-        holding[n] = holding_supports(node, approach);
+        holding[n] = find_holding(n, mass, approach, free_velocity);
         Tensor<1, dim> end_velocity =
           free_velocity - approach + held_velocity(node, holding[n], approach);
         if (n_supports(holding[n]) > 1 || node.is_fixed)
@@ -129,15 +136,66 @@ namespace Sandglass
                             mass,
                             mass * (approach * node.supports[s].normal),
                             velocity,
-                            free_velocity,
-                            time_step);
+                            free_velocity);
           else
-            memories[n][s] = {};
+            release_friction(n, s);
 
         end_velocities[n] = end_velocity;
         for (unsigned int d = 0; d < dim; ++d)
           node_acceleration[d] = (end_velocity[d] - velocity[d]) / time_step;
       }
+  }
+
+
+
+  template <int dim>
+  SupportSet
+  Contact<dim>::find_holding(const unsigned int    n,
+                             const double          mass,
+                             const Tensor<1, dim> &approach,
+                             const Tensor<1, dim> &free_velocity) const
+  {
+    if (is_corner(n) && cones[n].contain(-mass * free_velocity))
+      return all_supports(nodes[n].supports.size());
+    return holding_supports(nodes[n], approach);
+  }
+
+
+
+  template <int dim>
+  void
+  Contact<dim>::release_friction(const unsigned int n, const unsigned int s)
+  {
+    FrictionMemory<dim> &memory = memories[n][s];
+    dissipation +=
+      friction.energy(memory, nodes[n].supports[s].area, time_step);
+    memory = {};
+  }
+
+
+
+  template <int dim>
+  FrictionStep<dim>
+  Contact<dim>::find_friction(const unsigned int    n,
+                              const unsigned int    s,
+                              const double          mass,
+                              const double          normal_impulse,
+                              const Tensor<1, dim> &slip,
+                              const Tensor<1, dim> &free_slip)
+  {
+    const Support<dim> &support = nodes[n].supports[s];
+    const double        limit =
+      support.friction_coefficient * (normal_impulse / time_step);
+    if (!is_corner(n))
+      return friction.step(
+        memories[n][s], limit, slip, free_slip, mass, support.area, time_step);
+
+    const auto without_spring = coulomb((-mass / time_step) * free_slip, limit);
+    memories[n][s].is_sliding = without_spring.is_sliding;
+    const Tensor<1, dim> end_slip =
+      free_slip + time_step / mass * without_spring.force;
+    return {without_spring.force,
+            std::max(0., -time_step * (without_spring.force * end_slip))};
   }
 
 
@@ -149,30 +207,24 @@ namespace Sandglass
                               const double          mass,
                               const double          normal_impulse,
                               const Tensor<1, dim> &velocity,
-                              const Tensor<1, dim> &free_velocity,
-                              const double          time_step)
+                              const Tensor<1, dim> &free_velocity)
   {
     const Support<dim> &support = nodes[n].supports[s];
     sums.add_normal(n, s, -normal_impulse * support.normal);
     if (support.is_axis)
       return {};
 
-    const Tensor<1, dim> free_slip =
-      support.tangential(free_velocity) - support.velocity;
-    const Tensor<1, dim> force =
-      friction.force(memories[n][s],
-                     support.friction_coefficient *
-                       (normal_impulse / time_step),
-                     support.tangential(velocity) - support.velocity,
-                     free_slip,
-                     mass,
-                     support.area,
-                     time_step);
+    const auto [force, dissipated] =
+      find_friction(n,
+                    s,
+                    mass,
+                    normal_impulse,
+                    support.tangential(velocity) - support.velocity,
+                    support.tangential(free_velocity) - support.velocity);
     sums.add_friction(n, s, time_step * force);
-    const Tensor<1, dim> change = time_step / mass * force;
-    dissipation -= time_step * (force * (free_slip + change));
+    dissipation += dissipated;
     work += time_step * (force * support.velocity);
-    return change;
+    return time_step / mass * force;
   }
 
 
@@ -239,7 +291,7 @@ namespace Sandglass
         for (unsigned int s = 0; s < nodes[n].supports.size(); ++s)
           {
             const Support<dim> &support = nodes[n].supports[s];
-            if (is_held_by_one(n, s) && !support.is_axis)
+            if (is_held_by_one(n, s) && !support.is_axis && !is_corner(n))
               friction.stretch(memories[n][s],
                                support.tangential(difference),
                                support.area,
@@ -258,6 +310,20 @@ namespace Sandglass
     for (const Support<dim> &support : node.supports)
       if (support.is_axis)
         velocity = support.tangential(velocity);
+  }
+
+
+
+  template <int dim>
+  double
+  Contact<dim>::friction_energy() const
+  {
+    double energy = 0.;
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (unsigned int s = 0; s < nodes[n].supports.size(); ++s)
+        energy +=
+          friction.energy(memories[n][s], nodes[n].supports[s].area, time_step);
+    return energy;
   }
 
 

@@ -43,7 +43,8 @@ namespace Sandglass
     std::vector<SavedNode<dim>> of_rank;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       of_rank.push_back({nodes[n].vertex, memories[n], sums.at_nodes[n]});
-    archive << summed_time << gather_on_first(of_rank, scene.communicator)
+    archive << summed_time << time_step
+            << gather_on_first(of_rank, scene.communicator)
             << Utilities::MPI::gather(scene.communicator, sums.on_particles);
   }
 
@@ -55,7 +56,7 @@ namespace Sandglass
   {
     std::vector<SavedNode<dim>>                             saved;
     std::vector<typename WallImpulseSums<dim>::FaceSumsMap> on_particles;
-    archive >> summed_time >> saved >> on_particles;
+    archive >> summed_time >> time_step >> saved >> on_particles;
 
     std::map<unsigned int, const SavedNode<dim> *> saved_at;
     for (const SavedNode<dim> &node : saved)

@@ -5,6 +5,7 @@
 #include <sandglass/flow/particle_in_cell/held_nodes.h>
 #include <sandglass/flow/particle_in_cell/wall_impulse_sums.h>
 #include <sandglass/walls/friction.h>
+#include <sandglass/walls/friction_cones.h>
 #include <sandglass/walls/wall_force.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -26,6 +27,12 @@ namespace Sandglass
    *
    * Walls rub where one support alone holds a node; friction follows the
    * velocity relative to the wall's, which need not be at rest.
+   *
+   * Where walls meet, a node stays at rest as long as their friction cones
+   * together bear the force that stops it (see FrictionCones). Otherwise it
+   * slides along one of them or leaves. There friction has no spring: which
+   * walls hold the node changes with the force's direction, and springs that
+   * come and go would drive material round the corner for ever.
    */
   template <int dim>
   class Contact : public HeldNodes<dim>
@@ -84,8 +91,12 @@ namespace Sandglass
     void
     add_impulses(const std::vector<WallImpulse<dim>> &impulses);
 
-    /// Work done against wall friction since the start, in J, this rank's
-    /// nodes and particles.
+    /// What the springs of sticking friction keep, in J, this rank's nodes.
+    double
+    friction_energy() const;
+
+    /// What wall friction has dissipated since the start, in J, this rank's
+    /// nodes and particles. Never falls.
     double
     friction_dissipation() const
     {
@@ -165,8 +176,36 @@ namespace Sandglass
                   const double          mass,
                   const double          normal_impulse,
                   const Tensor<1, dim> &velocity,
-                  const Tensor<1, dim> &free_velocity,
-                  const double          time_step);
+                  const Tensor<1, dim> &free_velocity);
+
+    /// Whether friction at a node follows the rule for places where walls meet.
+    /// With the paper's normal condition walls don't stop what comes there.
+    bool
+    is_corner(const unsigned int n) const
+    {
+      return cones[n].are_several() && stops_velocity && !nodes[n].is_free;
+    }
+
+    /// The supports that hold a node whose velocity would change by
+    /// `approach` and become `free_velocity` without them.
+    SupportSet
+    find_holding(const unsigned int    n,
+                 const double          mass,
+                 const Tensor<1, dim> &approach,
+                 const Tensor<1, dim> &free_velocity) const;
+
+    /// Forget the friction of a support that doesn't rub.
+    void
+    release_friction(const unsigned int n, const unsigned int support);
+
+    /// Friction of the one wall that holds a node, not of the axis.
+    FrictionStep<dim>
+    find_friction(const unsigned int    n,
+                  const unsigned int    support,
+                  const double          mass,
+                  const double          normal_impulse,
+                  const Tensor<1, dim> &slip,
+                  const Tensor<1, dim> &free_slip);
 
     /// Record the impulse by which a node's supports hold it.
     void
@@ -178,6 +217,9 @@ namespace Sandglass
     const bool        has_image;
     const Scene<dim> &scene;
 
+    std::vector<FrictionCones<dim>> cones; ///< of the nodes
+
+    double                      time_step = 0.; ///< the last one, in s
     std::vector<Tensor<1, dim>> end_velocities; ///< of the nodes, in m/s
     std::vector<Memories>       memories;
     WallImpulseSums<dim>        sums;

@@ -257,6 +257,7 @@ namespace Sandglass
       return sum_up<Setting>(cloud.blocks(),
                              stress_update.law,
                              removed,
+                             contact.friction_energy(),
                              plastic_dissipation +
                                contact.friction_dissipation(),
                              contact.wall_work(),
