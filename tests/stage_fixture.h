@@ -113,6 +113,7 @@ struct StageFixture
     stage.reset(&dynamic_cast<Stage &>(
       *Sandglass::make_flow<2>(*scene, material, walls, parameters).release()));
     last_records = stage->view().wall_records();
+    dissipation_watcher.watch(*stage);
     return *stage;
   }
 
@@ -233,6 +234,39 @@ struct StageFixture
   }
 
 private:
+  /// Fails the test when dissipated energy comes back in a step.
+  class DissipationWatcher : public Sandglass::StepWatcher
+  {
+  public:
+    void
+    watch(Stage &stage)
+    {
+      this->stage        = &stage;
+      last               = stage.dissipation();
+      stage.step_watcher = this;
+    }
+
+    void
+    begin(const Sandglass::StepPart part) override
+    {
+      if (part != Sandglass::StepPart::done)
+        return;
+      constexpr double rounding = 1e-12;
+      const double     now      = stage->dissipation();
+      AssertThrow(now >= (1. - rounding) * last,
+                  dealii::ExcMessage(
+                    describe(stage->view().clock()) +
+                    "dissipated energy has come back: " + std::to_string(last) +
+                    " J, then " + std::to_string(now)));
+      last = now;
+    }
+
+  private:
+    const Stage *stage = nullptr;
+    double       last  = 0.;
+  };
+
+  DissipationWatcher     dissipation_watcher;
   Sandglass::WallRecords last_records;
 };
 

@@ -9,6 +9,7 @@
 #include <sandglass/output/output_directory.h>
 #include <sandglass/output/replace_file.h>
 
+#include <cmath>
 #include <utility>
 
 namespace Sandglass
@@ -64,7 +65,26 @@ namespace Sandglass
       totals(view),
       {view, history.stagnant_displacement(), symmetry_factor, communicator}};
     do_and_share_errors(communicator, [&]() { history.add(row); });
+    check_dissipation(summary.totals, row);
     update_summary(clock, row.totals);
+  }
+
+
+
+  template <int dim>
+  void
+  Observers<dim>::check_dissipation(const SiloTotals &before,
+                                    const HistoryRow &row)
+  {
+    constexpr double rounding = 1e-10;
+
+    const double fall = before.dissipated_energy - row.totals.dissipated_energy;
+    if (fall > rounding * std::abs(before.dissipated_energy))
+      log.stream() << "Warning: by t = " << row.clock.time
+                   << " s the dissipated energy has fallen by " << fall
+                   << " J, which no material or wall does. Do not trust the "
+                      "results; please report this with the parameter file."
+                   << std::endl;
   }
 
 

@@ -115,6 +115,14 @@ namespace Sandglass
      },
      "in all load steps",
      has_static_effort},
+    {"static_relaxation_steps",
+     "1",
+     [](const Summary &s) {
+       return static_cast<unsigned long>(s.static_effort->n_relaxation_steps);
+     },
+     "of dynamic relaxation, which takes over where Newton's method finds no "
+     "way; in all load steps",
+     has_static_effort},
     {"peak_rss_MiB",
      "MiB",
      [](const Summary &s) { return s.peak_memory; },

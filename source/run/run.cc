@@ -3,12 +3,14 @@
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/banner.h>
 #include <sandglass/output/output_directory.h>
+#include <sandglass/output/silo_measures.h>
 #include <sandglass/run/checkpoint_writer.h>
 #include <sandglass/run/part.h>
 #include <sandglass/run/run.h>
 #include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace Sandglass
@@ -48,6 +50,10 @@ namespace Sandglass
       /// shows of it, or nothing where the parameters leave this stage out.
       std::optional<AtRest>
       rest();
+
+      /// Where nothing can leave, let particles settle at their own rest.
+      void
+      settle();
 
       void
       go_on_from(const Checkpoint &checkpoint);
@@ -187,6 +193,7 @@ namespace Sandglass
                          part->scene,
                          *part->flow,
                          parameters.static_stage.displaces_particles);
+      settle();
       static_scope.stop();
       if (parameters.output.writes_grid)
         {
@@ -194,6 +201,26 @@ namespace Sandglass
           static_stage.write_vtu(parameters.output.directory);
         }
       return AtRest{static_stage.view().wall_records(), state.effort};
+    }
+
+
+
+    template <int dim>
+    void
+    Simulation<dim>::settle()
+    {
+      const auto &walls = part->scene.walls;
+      if (!parameters.static_stage.settles_particles ||
+          part->flow->is_finished() ||
+          SiloMeasures<dim>(part->scene).has_open_outlet ||
+          std::any_of(walls.begin(), walls.end(), [](const Wall<dim> &wall) {
+            return wall.velocity.norm() > 0.;
+          }))
+        return;
+      const Settling settling = part->flow->settle();
+      log.stream() << "Particles settled in " << settling.n_steps
+                   << " steps, largest speed then " << settling.largest_speed
+                   << " m/s" << std::endl;
     }
 
 

@@ -198,7 +198,10 @@ TEST_F(LawWithState, rest_asks_the_law)
   for (const double load : {0.25, 0.5, 0.75, 1.})
     {
       DisplacementVector increment = grid.make_vector();
-      const NewtonResult result = solver.solve(displacement, load, increment);
+      const NewtonResult result    = solver.solve(displacement,
+                                               load,
+                                               parameters.maximum_iterations,
+                                               increment);
       ASSERT_TRUE(result.has_converged) << "load " << load;
       n_iterations += result.n_iterations;
       displacement.zero_out_ghost_values();

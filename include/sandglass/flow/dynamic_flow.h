@@ -30,6 +30,13 @@ namespace Sandglass
     std::function<InitialState<dim>(const unsigned int cell,
                                     const Point<dim>  &reference_point)>;
 
+  /// How DynamicFlow::settle() has ended.
+  struct Settling
+  {
+    unsigned int n_steps       = 0;
+    double       largest_speed = 0.; ///< in m/s
+  };
+
   /// A flow in time that may start from a state at rest.
   template <int dim>
   class DynamicFlow : public Flow
@@ -44,6 +51,15 @@ namespace Sandglass
     virtual void
     start_from(const InitialStateFunction<dim>   &initial_state,
                const std::vector<WallForce<dim>> &wall_forces) = 0;
+
+    /**
+     * Let material that can't leave find its place where it is in equilibrium
+     * in this flow's own equations: the state that it has started from may be
+     * one of other equations. The clock and all sums over time start anew.
+     * Collective.
+     */
+    virtual Settling
+    settle() = 0;
   };
 } // namespace Sandglass
 

@@ -121,6 +121,9 @@ namespace Sandglass
     /// @param is_exact  find the critical step for these very positions.
     void
     observe_history(const FlowView &view, const bool is_exact);
+    /// Say so if dissipated energy has come back since the last row.
+    void
+    check_dissipation(const SiloTotals &before, const HistoryRow &row);
     /// @param tractions  to be written too; empty: none.
     void
     observe_fields(const FlowView &view, std::vector<WallTraction> tractions);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace Sandglass
@@ -54,6 +55,31 @@ namespace Sandglass
 
 
 
+    /// Whether the iterations run in circles: for some time the residual has
+    /// not fallen by much.
+    class Stall
+    {
+    public:
+      bool
+      is_seen(const double norm)
+      {
+        if (norm < 0.5 * lowest)
+          {
+            lowest  = norm;
+            n_since = 0;
+            return false;
+          }
+        return ++n_since > longest;
+      }
+
+    private:
+      static constexpr unsigned int longest = 20;
+      double                        lowest = std::numeric_limits<double>::max();
+      unsigned int                  n_since = 0;
+    };
+
+
+
     /// How well a step has to solve the linear equations. Convergence stays
     /// faster than linear, and no more is solved for than a step can gain, or
     /// than the state at rest needs.
@@ -85,40 +111,16 @@ namespace Sandglass
                                   Equilibrium<dim>            &equilibrium,
                                   WallContact<dim>            &contact,
                                   const StaticStageParameters &parameters)
-    : grid(grid)
-    , equilibrium(equilibrium)
-    , contact(contact)
-    , parameters(parameters)
+    : parameters(parameters)
+    , out_of_balance(grid, equilibrium, contact)
     , tangent(grid,
               grid.dof_handler.n_dofs() <= parameters.most_direct_unknowns ?
                 TangentStorage::columns :
                 TangentStorage::rows)
     , tangent_solver(tangent, make_preconditioner(grid, tangent))
-    , forces(grid.make_vector())
-    , residual(grid.make_vector())
     , step(grid.make_vector())
     , trial(grid.make_vector())
-    , displacement(grid.make_vector())
   {}
-
-
-
-  template <int dim>
-  double
-  NewtonSolver<dim>::evaluate(const Vector &increment)
-  {
-    displacement.zero_out_ghost_values();
-    displacement.equ(1., *displacement_before);
-    displacement.add(1., increment);
-    displacement.update_ghost_values();
-
-    equilibrium.evaluate_forces(increment, load_share, forces);
-    contact.evaluate(forces, displacement, increment);
-    residual.zero_out_ghost_values();
-    residual.equ(1., forces);
-    contact.replace_residual(residual);
-    return residual.l2_norm() / equilibrium.weight().l2_norm();
-  }
 
 
 
@@ -141,8 +143,8 @@ namespace Sandglass
   NewtonSolver<dim>::find_step(const double elastic_share,
                                const double residual_norm)
   {
-    equilibrium.assemble_tangent(contact, elastic_share, tangent);
-    return tangent_solver.solve(residual,
+    out_of_balance.assemble_tangent(elastic_share, tangent);
+    return tangent_solver.solve(out_of_balance.residual(),
                                 linear_tolerance(residual_norm,
                                                  parameters.relative_residual),
                                 step);
@@ -156,7 +158,7 @@ namespace Sandglass
   {
     move(increment, factor, trial);
     increment.swap(trial);
-    return evaluate(increment);
+    return out_of_balance.evaluate(increment);
   }
 
 
@@ -170,7 +172,7 @@ namespace Sandglass
     for (double factor = 1.; factor >= 1. / 32.; factor /= 2.)
       {
         move(increment, factor, trial);
-        const double norm = evaluate(trial);
+        const double norm = out_of_balance.evaluate(trial);
         last_factor       = factor;
         if (norm < best_norm)
           {
@@ -196,15 +198,14 @@ namespace Sandglass
 
   template <int dim>
   NewtonResult
-  NewtonSolver<dim>::solve(const Vector &displacement_before,
-                           const double  load_share,
-                           Vector       &increment)
+  NewtonSolver<dim>::solve(const Vector      &displacement_before,
+                           const double       load_share,
+                           const unsigned int most_iterations,
+                           Vector            &increment)
   {
-    this->displacement_before = &displacement_before;
-    this->load_share          = load_share;
-
+    out_of_balance.start_step(displacement_before, load_share);
     const unsigned int n_before = tangent_solver.n_iterations();
-    Result             result   = iterate(increment);
+    Result             result   = iterate(most_iterations, increment);
     result.n_linear_iterations  = tangent_solver.n_iterations() - n_before;
     return result;
   }
@@ -213,22 +214,24 @@ namespace Sandglass
 
   template <int dim>
   NewtonResult
-  NewtonSolver<dim>::iterate(Vector &increment)
+  NewtonSolver<dim>::iterate(const unsigned int most_iterations,
+                             Vector            &increment)
   {
     ElasticShare elastic_share;
-    double       norm = evaluate(increment);
+    Stall        stall;
+    double       norm = out_of_balance.evaluate(increment);
     for (unsigned int i = 0;; ++i)
       {
         if (norm < residual_for_contact)
           {
-            if (contact.update_contact(load_share) > 0)
-              norm = evaluate(increment);
+            if (out_of_balance.update_contact() > 0)
+              norm = out_of_balance.evaluate(increment);
             else if (norm < parameters.relative_residual)
               return {true, i, 0, norm};
           }
 
-        if (i == parameters.maximum_iterations || !std::isfinite(norm) ||
-            !find_step(elastic_share.value(), norm))
+        if (i == most_iterations || !std::isfinite(norm) ||
+            stall.is_seen(norm) || !find_step(elastic_share.value(), norm))
           return {false, i, 0, norm};
 
         const double factor = search_line(increment, norm);

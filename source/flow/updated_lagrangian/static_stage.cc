@@ -10,17 +10,19 @@ namespace Sandglass
   namespace
   {
     std::string
-    failure_message(const double load_share, const NewtonResult &result)
+    failure_message(const double load_share, const RestResult &result)
     {
       std::ostringstream message;
-      message << "The static stage found no state at rest: at a load of "
-              << load_share << " of the weight the out-of-balance force is "
-              << result.residual << " of the weight after "
-              << result.n_iterations
-              << " iterations, with the smallest load step. Try, in section "
-                 "'Static stage', a larger 'Maximum iterations' or more 'Load "
-                 "steps'; or another 'Element size', a larger 'Poisson ratio' "
-                 "or a smaller 'Internal friction angle'.";
+      message
+        << "The static stage found no state at rest: at a load of "
+        << load_share << " of the weight the out-of-balance force is "
+        << result.residual << " of the weight after "
+        << result.n_newton_iterations << " Newton iterations and "
+        << result.n_relaxation_steps
+        << " relaxation steps, with the smallest load step. Try, in "
+           "section 'Static stage', a larger 'Maximum relaxation steps' "
+           "or more 'Load steps'; or another 'Element size', a larger 'Poisson ratio' "
+           "or a smaller 'Internal friction angle'.";
       return message.str();
     }
 
@@ -112,10 +114,10 @@ namespace Sandglass
   {
     while (true)
       {
-        const double       step      = std::min(load_step, 1. - load_share);
-        const double       goal      = load_share + step;
-        Vector             increment = predictor.predict(step);
-        const NewtonResult result = solver.solve(displacement, goal, increment);
+        const double     step      = std::min(load_step, 1. - load_share);
+        const double     goal      = load_share + step;
+        Vector           increment = predictor.predict(step);
+        const RestResult result = solver.solve(displacement, goal, increment);
 
         count(goal, result);
         if (result.has_converged)
@@ -127,7 +129,6 @@ namespace Sandglass
             ++time.step;
             return;
           }
-        contact.restore();
         load_step = step / 2.;
         if (load_step < parameters.smallest_load_step)
           throw RunError(failure_message(goal, result));
@@ -138,14 +139,21 @@ namespace Sandglass
 
   template <int dim>
   void
-  StaticStage<dim>::count(const double load_share, const NewtonResult &result)
+  StaticStage<dim>::count(const double load_share, const RestResult &result)
   {
-    effort.n_newton_iterations += result.n_iterations;
+    effort.n_newton_iterations += result.n_newton_iterations;
     effort.n_linear_iterations += result.n_linear_iterations;
+    effort.n_relaxation_steps += result.n_relaxation_steps;
     log << "Load step to " << load_share
-        << " of the weight: " << result.n_iterations << " iterations ("
-        << result.n_linear_iterations << " linear), residual "
-        << result.residual << (result.has_converged ? "" : ", not converged")
+        << " of the weight: " << result.n_newton_iterations << " iterations ("
+        << result.n_linear_iterations << " linear), ";
+    if (result.n_relaxation_steps > 0)
+      log << result.n_relaxation_steps << " steps of dynamic relaxation, ";
+    log << "residual " << result.residual
+        << (!result.has_converged ? ", not converged" :
+            result.method == RestResult::Method::relaxation ?
+                                    ", by relaxation alone" :
+                                    "")
         << std::endl;
   }
 

@@ -19,6 +19,13 @@ namespace Sandglass
              "Start the particles where the load has moved them (paper), or at "
              "their places in the undeformed grid, whose cells they then fill "
              "evenly.");
+    add_flag(*this,
+             "Settle particles",
+             settles_particles,
+             "In a closed silo whose walls are at rest, let the particles find "
+             "their own place of rest before the flow: the state of the "
+             "elements is not quite one of particles and would ring for some "
+             "seconds.");
     add_integer(*this,
                 "Load steps",
                 n_load_steps,
@@ -37,7 +44,22 @@ namespace Sandglass
                 maximum_iterations,
                 1,
                 1000,
-                "Newton iterations after which a load step is cut in half.");
+                "Newton iterations after which dynamic relaxation takes over; "
+                "earlier if the residual doesn't fall any more.");
+    add_number(*this,
+               "Relaxed residual",
+               relaxed_residual,
+               Bounds::between(0., 1.),
+               "1",
+               "Where Newton finds no way, dynamic relaxation stops when the "
+               "out-of-balance force is below this share of the weight.");
+    add_integer(*this,
+                "Maximum relaxation steps",
+                maximum_relaxation_steps,
+                0,
+                100000000,
+                "Steps of dynamic relaxation after which a load step is cut in "
+                "half.");
     add_number(*this,
                "Smallest load step",
                smallest_load_step,

@@ -118,6 +118,15 @@ namespace Sandglass
       work        = wall_work;
     }
 
+    /// Start energies and records anew, but keep the friction that there is.
+    void
+    forget_records()
+    {
+      set_energies(0., 0.);
+      summed_time = 0.;
+      sums.clear();
+    }
+
     /// What this rank's nodes have felt of walls since the start. Collective.
     WallRecords
     records() const

@@ -258,8 +258,7 @@ namespace Sandglass
                              stress_update.law,
                              removed,
                              contact.friction_energy(),
-                             plastic_dissipation +
-                               contact.friction_dissipation(),
+                             this->dissipation(),
                              contact.wall_work(),
                              particle_steps,
                              scene.communicator);

@@ -51,6 +51,11 @@ namespace Sandglass
     start_from(const InitialStateFunction<dim>   &initial_state,
                const std::vector<WallForce<dim>> &wall_forces) override;
 
+    /// By kinetic damping: particles are stopped whenever their kinetic energy
+    /// has passed a maximum (Cundall 1982).
+    Settling
+    settle() override;
+
     /// Call `change(handler)`, which may change, add or remove particles; sums
     /// over them are found anew. Collective.
     template <typename Change>
@@ -87,6 +92,13 @@ namespace Sandglass
     wall_contact() const
     {
       return contact;
+    }
+
+    /// By plastic flow and wall friction since the start, in J, on this rank.
+    double
+    dissipation() const
+    {
+      return plastic_dissipation + contact.friction_dissipation();
     }
 
     const RemovedMass &
@@ -216,12 +228,17 @@ namespace Sandglass
     unsigned long particle_steps = 0;
 
   private:
+    /// Take all particles' velocities away.
+    void
+    stop_particles();
+
     /// In m/s.
     const double speed_limit;
   };
 } // namespace Sandglass
 
 #include <sandglass/flow/particle_in_cell/particle_stage.templates.h>
+#include <sandglass/flow/particle_in_cell/settling.templates.h>
 #include <sandglass/flow/particle_in_cell/stage_checkpoint.templates.h>
 #include <sandglass/flow/particle_in_cell/stage_view.templates.h>
 

@@ -39,6 +39,13 @@ namespace Sandglass
     WallImpulseSums(const Scene<dim>                     &scene,
                     const std::vector<BoundaryNode<dim>> &nodes);
 
+    void
+    clear()
+    {
+      at_nodes.assign(nodes.size(), NodeSums());
+      on_particles.clear();
+    }
+
     /// Add what a support does at node `n` to hold it: walls share it by area.
     void
     add_normal(const unsigned int    n,

@@ -1,11 +1,10 @@
 #ifndef sandglass_flow_updated_lagrangian_newton_solver_h
 #define sandglass_flow_updated_lagrangian_newton_solver_h
 
-#include <sandglass/flow/updated_lagrangian/equilibrium.h>
+#include <sandglass/flow/updated_lagrangian/out_of_balance.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/tangent_matrix.h>
 #include <sandglass/flow/updated_lagrangian/tangent_solver.h>
-#include <sandglass/flow/updated_lagrangian/wall_contact.h>
 
 namespace Sandglass
 {
@@ -21,9 +20,6 @@ namespace Sandglass
   /**
    * Newton's method for one load step, with a line search. Where the exact
    * tangent gives no descent, elastic stiffness is mixed into it until it does.
-   *
-   * Residuals are l2 norms of the nodal out-of-balance forces over that of the
-   * whole weight's nodal forces.
    */
   template <int dim>
   class NewtonSolver
@@ -43,11 +39,14 @@ namespace Sandglass
      * @param[in,out] increment  of the displacement: initial guess in, result
      *                           out. Both with ghost entries.
      * @param[in]     load_share  share of gravity at the end of the step.
+     * @param[in]     most_iterations  after which it fails, or when the
+     * residual falls no longer.
      */
     Result
-    solve(const Vector &displacement_before,
-          const double  load_share,
-          Vector       &increment);
+    solve(const Vector      &displacement_before,
+          const double       load_share,
+          const unsigned int most_iterations,
+          Vector            &increment);
 
     /// Whether tangents are factorized, or inverted approximately.
     bool
@@ -59,14 +58,10 @@ namespace Sandglass
   private:
     /// The iterations, without a count of linear ones.
     Result
-    iterate(Vector &increment);
+    iterate(const unsigned int most_iterations, Vector &increment);
 
-    /// Bring all state to an iterate; returns the residual.
-    double
-    evaluate(const Vector &increment);
-
-    /// Solve for the Newton step at the last iterate that evaluate() was called
-    /// with; false if the tangent is singular.
+    /// Solve for the Newton step at the last evaluated iterate; false if the
+    /// tangent is singular.
     bool
     find_step(const double elastic_share, const double residual_norm);
 
@@ -88,16 +83,12 @@ namespace Sandglass
     void
     move(const Vector &increment, const double factor, Vector &result) const;
 
-    const FilledGrid<dim>       &grid;
-    Equilibrium<dim>            &equilibrium;
-    WallContact<dim>            &contact;
     const StaticStageParameters &parameters;
+    OutOfBalance<dim>            out_of_balance;
 
     TangentMatrix<dim> tangent;
     TangentSolver<dim> tangent_solver;
-    Vector             forces, residual, step, trial, displacement;
-    const Vector      *displacement_before = nullptr;
-    double             load_share          = 0.;
+    Vector             step, trial;
   };
 } // namespace Sandglass
 

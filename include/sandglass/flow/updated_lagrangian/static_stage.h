@@ -7,7 +7,7 @@
 #include <sandglass/flow/flow.h>
 #include <sandglass/flow/updated_lagrangian/equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/load_predictor.h>
-#include <sandglass/flow/updated_lagrangian/newton_solver.h>
+#include <sandglass/flow/updated_lagrangian/rest_solver.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
@@ -32,7 +32,7 @@ namespace Sandglass
   /**
    * The state at rest under gravity with the outlet closed, by the updated
    * Lagrangian finite element method (paper, Section 5; doc/theory.md): load
-   * steps of NewtonSolver, cut where they don't converge.
+   * steps of RestSolver, cut where they don't converge.
    *
    * As a flow it stands still in time: a step adds load, the walls' impulses
    * are those of one second, and nothing moves.
@@ -125,7 +125,7 @@ namespace Sandglass
 
     /// Log a load step, and add it to the effort.
     void
-    count(const double load_share, const NewtonResult &result);
+    count(const double load_share, const RestResult &result);
     void
     accept(Vector &increment);
     StaticState<dim>
@@ -148,7 +148,7 @@ namespace Sandglass
     const FilledGrid<dim>                   filled_grid;
     const std::unique_ptr<Equilibrium<dim>> equilibrium;
     WallContact<dim>                        contact;
-    NewtonSolver<dim>                       solver;
+    RestSolver<dim>                         solver;
     const bool                              has_weight;
 
     Clock         time;            ///< counts load steps

@@ -19,6 +19,7 @@ namespace Sandglass
     bool         is_direct           = true; ///< by factors, not multigrid
     unsigned int n_newton_iterations = 0;
     unsigned int n_linear_iterations = 0;
+    unsigned int n_relaxation_steps  = 0;
   };
 
   /**

@@ -114,6 +114,14 @@ namespace Sandglass
     void
     restore();
 
+    /// Which supports are in contact, node by node.
+    std::vector<SupportSet>
+    active_supports() const;
+
+    /// Go back to what active_supports() has found.
+    void
+    set_active_supports(const std::vector<SupportSet> &active);
+
     /// Wall forces on the owned nodes.
     std::vector<WallForce<dim>>
     wall_forces() const;

@@ -1,0 +1,65 @@
+#ifndef sandglass_flow_particle_in_cell_settling_templates_h
+#define sandglass_flow_particle_in_cell_settling_templates_h
+
+#include <sandglass/flow/particle_in_cell/particle_stage.h>
+
+#include <cmath>
+
+namespace Sandglass
+{
+  template <typename Layout>
+  Settling
+  ParticleStage<Layout>::settle()
+  {
+    // A hundred-thousandth of the speed after a free fall through the silo.
+    constexpr double        slow       = 1e-5;
+    constexpr unsigned long most_steps = 5000;
+
+    const double goal =
+      slow * std::sqrt(2. * scene.gravity.norm() * fall_height(scene));
+    const Clock       clock_before   = time;
+    const StepControl control_before = control;
+    Settling          result;
+    double            kinetic_energy = 0.;
+    while (result.n_steps < most_steps)
+      {
+        time.time = clock_before.time;
+        this->step();
+        ++result.n_steps;
+
+        const FlowTotals totals = this->totals();
+        result.largest_speed    = totals.largest_speed;
+        // The second step tells whether the first has set anything in motion.
+        if (result.n_steps > 1 && totals.largest_speed < goal)
+          break;
+        const bool has_passed_maximum = totals.kinetic_energy < kinetic_energy;
+        if (has_passed_maximum)
+          stop_particles();
+        kinetic_energy = has_passed_maximum ? 0. : totals.kinetic_energy;
+      }
+    stop_particles();
+
+    time                = clock_before;
+    control             = control_before;
+    removed             = RemovedMass();
+    plastic_dissipation = 0.;
+    particle_steps      = 0;
+    contact.forget_records();
+    return result;
+  }
+
+
+
+  template <typename Layout>
+  void
+  ParticleStage<Layout>::stop_particles()
+  {
+    edit_blocks([](Blocks &blocks) {
+      blocks.for_each([&blocks](const ParticleSlot &slot) {
+        blocks[slot.block].set_point(Block::velocity, slot.lane, Point<dim>());
+      });
+    });
+  }
+} // namespace Sandglass
+
+#endif
