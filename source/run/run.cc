@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/settlement_check.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/banner.h>
 #include <sandglass/output/output_directory.h>
@@ -15,6 +16,15 @@ namespace Sandglass
 {
   namespace
   {
+    void
+    warn(Log &log, const std::vector<std::string> &warnings)
+    {
+      for (const std::string &warning : warnings)
+        log.stream() << "Warning: " << warning << std::endl;
+    }
+
+
+
     /// One simulation in a space dimension.
     template <int dim>
     class Simulation
@@ -48,6 +58,11 @@ namespace Sandglass
       /// shows of it, or nothing where the parameters leave this stage out.
       std::optional<AtRest>
       rest();
+
+      /// All of the static stage, with doubts about the material's stiffness
+      /// where it settles too much or finds no state at rest.
+      StaticState<dim>
+      settle(StaticStage<dim> &static_stage);
 
       void
       go_on_from(const Checkpoint &checkpoint);
@@ -97,8 +112,12 @@ namespace Sandglass
     Mesh<dim>
     Simulation<dim>::timed_mesh()
     {
-      TimerOutput::Scope scope(timings, Timing::set_up);
-      return make_mesh<dim>(parameters.scene, communicator);
+      TimerOutput::Scope       scope(timings, Timing::set_up);
+      std::vector<std::string> warnings;
+      Mesh<dim>                result =
+        make_mesh<dim>(parameters.scene, communicator, &warnings);
+      warn(log, warnings);
+      return result;
     }
 
 
@@ -182,7 +201,7 @@ namespace Sandglass
                                     parameters.walls,
                                     parameters.static_stage,
                                     log.stream());
-      const StaticState<dim> state = static_stage.run();
+      const StaticState<dim> state = settle(static_stage);
       carry_to_particles(state,
                          part->scene,
                          *part->flow,
@@ -194,6 +213,26 @@ namespace Sandglass
           static_stage.write_vtu(parameters.output.directory);
         }
       return AtRest{static_stage.view().wall_records(), state.effort};
+    }
+
+
+
+    template <int dim>
+    StaticState<dim>
+    Simulation<dim>::settle(StaticStage<dim> &static_stage)
+    {
+      StaticState<dim> state;
+      try
+        {
+          state = static_stage.run();
+        }
+      catch (const RunError &error)
+        {
+          throw RunError(error.what() +
+                         doubt_stiffness(part->scene, parameters.material));
+        }
+      check_settlement(state, part->scene, parameters.material, log.stream());
+      return state;
     }
 
 
@@ -246,12 +285,16 @@ namespace Sandglass
 
 
   void
-  run(const Parameters  &parameters,
-      const CommandLine &command_line,
-      const MPI_Comm     communicator)
+  run(const Parameters               &parameters,
+      const CommandLine              &command_line,
+      const std::vector<std::string> &warnings,
+      const MPI_Comm                  communicator)
   {
-    Log log(communicator, command_line.is_quiet);
-    log.stream() << banner(communicator) << std::flush;
+    const bool only_checks = command_line.task == CommandLine::Task::validate;
+    Log        log(communicator, command_line.is_quiet);
+    if (!only_checks)
+      log.stream() << banner(communicator) << std::flush;
+    warn(log, warnings);
     choose(
       AllKinematics(),
       [&parameters](const auto kinematics) {
@@ -259,9 +302,13 @@ namespace Sandglass
                parameters.scene.formulation;
       },
       [&](const auto kinematics) {
-        constexpr int dim = decltype(kinematics)::Type::dim;
-        Simulation<dim>(parameters, command_line.is_restart, communicator, log)
-          .run();
+        constexpr int   dim = decltype(kinematics)::Type::dim;
+        Simulation<dim> simulation(parameters,
+                                   command_line.is_restart,
+                                   communicator,
+                                   log);
+        if (!only_checks)
+          simulation.run();
       });
   }
 } // namespace Sandglass
