@@ -53,21 +53,28 @@ namespace Sandglass
       void
       name(const std::vector<GmshMesh::Element> &lines)
       {
-        Names names;
+        Names names_at;
         for (const auto &line : lines)
           if (line.corners.size() == mesh.vertices_per_face())
             {
               Key face{};
               std::copy(line.corners.begin(), line.corners.end(), face.begin());
               face = key_of<dim>(face, mesh.vertices_per_face());
-              names[face].insert(line.groups.begin(), line.groups.end());
+              for (const std::string &group : line.groups)
+                if (!is_nameless(group))
+                  {
+                    names_at[face].insert(group);
+                    all_names.insert(group);
+                  }
             }
         check_cells();
-        for (const auto &[face, names_there] : names)
-          if (!names_there.empty())
-            sort_in(face, names_there);
+        for (const auto &[face, names] : names_at)
+          sort_in(face, names);
         refuse_sorted_out();
         check_that_all_have_names();
+        if (outlet_is_open && !has_fall_region)
+          warnings.push_back("The mesh has no cells in a physical group named "
+                             "'fall_region': nothing can leave the silo.");
         for (const std::string &name : names_inside)
           warnings.push_back("The physical group '" + name +
                              "' lies inside the mesh, where it does nothing.");
@@ -134,10 +141,7 @@ namespace Sandglass
         const bool is_inside = cells->second.size() == 2;
         if (is_inside && parts.empty())
           {
-            // Partitions share such lines under a number alone.
-            for (const std::string &name : names)
-              if (!is_nameless(name))
-                names_inside.insert(name);
+            names_inside.insert(names.begin(), names.end());
             return;
           }
         const auto &candidates = parts.empty() ? names : parts;
@@ -223,13 +227,16 @@ namespace Sandglass
                 between.push_back(face);
             }
         if (!between.empty())
-          refuse("the border between 'material' and 'fall_region' has no name",
+          refuse("the border between 'material' and 'fall_region' has no "
+                 "name; the mesh has the physical lines " +
+                   list_of(all_names),
                  between,
                  "the names outlet and, with empty cells above the material, "
                  "top");
         if (!of_boundary.empty())
           refuse("the mesh's boundary has no name" +
-                   hanging_vertex(of_boundary),
+                   hanging_vertex(of_boundary) +
+                   "; the mesh has the physical lines " + list_of(all_names),
                  of_boundary,
                  allowed_names);
       }
@@ -244,7 +251,7 @@ namespace Sandglass
       const CellsAtFaces<dim>   cells_at;
       const bool                has_fall_region;
       std::set<Key>             named;
-      std::set<std::string>     names_inside;
+      std::set<std::string>     all_names, names_inside;
       // What must be refused, by name.
       std::map<std::string, Faces> without_cell, of_several_names, inside;
       Faces                        cut_outlet;

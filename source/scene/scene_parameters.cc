@@ -80,8 +80,8 @@ namespace Sandglass
              "Mesh in Gmsh's format, for Shape = mesh file. Physical lines "
              "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top, "
              "and further walls that Walls/Friction angles names; "
-             "physical surfaces material and fall_region. Outlet level at "
-             "y = 0.");
+             "physical surfaces material and fall_region. It is moved so "
+             "that the axis is at x = 0 and the outlet level at y = 0.");
     add_number(
       *this,
       "Half width",
@@ -184,7 +184,8 @@ namespace Sandglass
                         outlet_is_open,
                         {{"open", true}, {"closed", false}},
                         "Whether material can leave; a closed outlet belongs "
-                        "to the floor, and no fall region is meshed.");
+                        "to the floor, and there is no fall region: that of a "
+                        "mesh file is left out.");
     add_selection<Partitioner>(
       *this,
       "Partitioner",

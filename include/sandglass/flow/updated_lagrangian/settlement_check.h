@@ -16,7 +16,7 @@ namespace Sandglass
   constexpr double doubtful_settlement = 0.05;
 
   /// Above this share the result means nothing.
-  constexpr double absurd_settlement = 0.25;
+  constexpr double absurd_settlement = 0.2;
 
   /**
    * Warn where the material settles by more than doubtful_settlement of its
