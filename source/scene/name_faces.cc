@@ -153,9 +153,12 @@ namespace Sandglass
 
         const std::string &name = *candidates.begin();
         const BoundaryRole role = role_of(name);
-        const bool         may_be_inside =
-          role == BoundaryRole::outlet || role == BoundaryRole::top;
-        if (is_inside && !(may_be_inside && is_between(face)))
+        // Without a fall region material may lie below the outlet as well.
+        const bool may_be_inside =
+          role == BoundaryRole::outlet ?
+            is_between(face) || !has_fall_region :
+            role == BoundaryRole::top && is_between(face);
+        if (is_inside && !may_be_inside)
           inside[name].push_back(face);
         else if (role == BoundaryRole::outlet && outlet_is_open && !is_inside &&
                  has_fall_region)

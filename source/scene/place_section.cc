@@ -106,20 +106,28 @@ namespace Sandglass
 
     /// y of the outlet's lowest point.
     double
-    find_outlet_level(const Mesh<2> &mesh)
+    find_outlet_level(const Mesh<2> &mesh, std::vector<std::string> &warnings)
     {
       const Box    outlet   = box_of(mesh, BoundaryRole::outlet);
       const Box    material = box_of_cells(mesh, true);
       const double level =
         outlet.is_empty() ? material.lower[1] : outlet.lower[1];
-      if (material.lower[1] < level - rounding(mesh))
-        {
-          std::ostringstream message;
-          message << "material lies below the outlet: it reaches down to y = "
-                  << material.lower[1] << " m, the outlet to y = " << level
-                  << " m; allowed is an outlet at the material's lowest level";
-          throw InputError(message.str());
-        }
+      if (material.lower[1] >= level - rounding(mesh))
+        return level;
+
+      std::ostringstream message;
+      message << "material lies below the outlet: it reaches down to y = "
+              << material.lower[1] << " m, the outlet to y = " << level << " m";
+      // Who fills the fall region, too, means it.
+      if (std::any_of(mesh.cells.begin(),
+                      mesh.cells.end(),
+                      [](const auto &cell) { return !cell.is_filled; }))
+        throw InputError(message.str() +
+                         "; allowed is an outlet at the material's lowest "
+                         "level");
+      warnings.push_back("What is below the outlet counts as discharged from "
+                         "the start: " +
+                         message.str() + '.');
       return level;
     }
 
@@ -181,7 +189,7 @@ namespace Sandglass
   {
     const double                distance = rounding(mesh);
     const std::optional<double> axis     = find_axis(mesh);
-    const double                level    = find_outlet_level(mesh);
+    const double                level    = find_outlet_level(mesh, warnings);
     // Rounded coordinates are left as they are.
     dealii::Tensor<1, 2> shift;
     if (axis && std::abs(*axis) > distance)
