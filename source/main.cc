@@ -14,7 +14,8 @@ namespace
 
   constexpr int run_failed = 1, input_refused = 2;
 
-  /// Read and check the parameters, then run unless only this was asked for.
+  /// Read and check the parameters and the mesh, then run unless only this was
+  /// asked for.
   void
   validate_and_run(const CommandLine &command_line, const MPI_Comm communicator)
   {
@@ -30,8 +31,7 @@ namespace
     try
       {
         parameters.check();
-        if (command_line.task == CommandLine::Task::run)
-          run(parameters, command_line, communicator);
+        run(parameters, command_line, file.warnings(), communicator);
       }
     catch (const InputError &error)
       {

@@ -49,7 +49,8 @@ namespace Sandglass
     {
       if (extent.is_empty())
         return 0.;
-      return has_axis ? 2. * extent.upper[0] :
+      // The axis is at x = 0, at either end of the section.
+      return has_axis ? 2. * std::max(extent.upper[0], -extent.lower[0]) :
                         extent.upper[0] - extent.lower[0];
     }
 

@@ -25,7 +25,7 @@ namespace Sandglass
           "where to write results; overrides Output/Directory");
       add("restart", "go on from the output directory's checkpoint");
       add("quiet", "print errors only");
-      add("validate", "read and check the parameters, then stop");
+      add("validate", "read and check the parameters and the mesh, then stop");
       add("print-parameters",
           options::value<std::string>()->implicit_value("prm")->value_name(
             "prm|md|json"),

@@ -3,7 +3,7 @@
 
 #include <sandglass/run/parameter_file.h>
 
-#include <fstream>
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
@@ -13,26 +13,44 @@ namespace Sandglass
 
   namespace
   {
-    std::string
-    read_file(const std::string &filename, const MPI_Comm communicator)
+    /// Rank 0 reads; errors are thrown on each rank.
+    std::vector<ParameterLine>
+    read_lines(const std::string &filename, const MPI_Comm communicator)
     {
-      std::pair<bool, std::string> result(false, "");
+      std::pair<std::string, std::vector<ParameterLine>> result;
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          std::ifstream      file(filename);
-          std::ostringstream text;
-          // Reading a directory fails only here.
-          result.first  = file && (text << file.rdbuf());
-          result.second = text.str();
-        }
+        try
+          {
+            result.second = read_parameter_lines(filename);
+          }
+        catch (const InputError &error)
+          {
+            result.first = error.what();
+          }
       if (Utilities::MPI::n_mpi_processes(communicator) > 1)
         result = Utilities::MPI::broadcast(communicator, result);
-      if (!result.first)
-        throw InputError(filename +
-                         ": the parameter file can't be read, or it is empty; "
-                         "allowed is the path of a .prm file "
-                         "(sandglass --print-parameters writes one)");
+      if (!result.first.empty())
+        throw InputError(result.first);
       return result.second;
+    }
+
+
+
+    std::string
+    with_single_blanks(const std::string &text)
+    {
+      return std::regex_replace(text, std::regex("\\s+"), " ");
+    }
+
+
+
+    std::string
+    joined(const std::vector<std::string> &sections)
+    {
+      std::string result;
+      for (const std::string &name : sections)
+        result += (result.empty() ? "" : "/") + name;
+      return result;
     }
 
 
@@ -68,9 +86,12 @@ namespace Sandglass
                                const std::vector<std::string> &settings,
                                const MPI_Comm                  communicator)
     : filename(filename)
-    , text(read_file(filename, communicator))
   {
-    scan_text();
+    scan(read_lines(filename, communicator));
+    sets_something =
+      std::any_of(entries.begin(), entries.end(), [](const Entry &entry) {
+        return !entry.name.empty();
+      });
     for (const std::string &setting : settings)
       add_setting(setting);
   }
@@ -78,36 +99,49 @@ namespace Sandglass
 
 
   void
-  ParameterFile::scan_text()
+  ParameterFile::scan(const std::vector<ParameterLine> &lines)
   {
-    const std::regex subsection_line("\\s*subsection\\s+(.*\\S)\\s*",
-                                     std::regex::icase);
-    const std::regex end_line("\\s*end\\s*", std::regex::icase);
-    const std::regex set_line("\\s*set\\s+([^=]*[^=\\s])\\s*=\\s*(.*)",
+    const std::regex subsection_line("subsection\\s+(.*)", std::regex::icase);
+    const std::regex end_line("end\\s*(#.*)?", std::regex::icase);
+    const std::regex set_line("set\\s+([^=]*[^=\\s])\\s*=\\s*(.*)",
                               std::regex::icase);
 
-    std::vector<std::string> sections;
-    std::istringstream       stream(text);
-    std::string              line;
-    for (unsigned int number = 1; std::getline(stream, line); ++number)
+    // The open subsections, and where they begin.
+    std::vector<std::string> sections, places;
+    for (const ParameterLine &line : lines)
       {
-        line = Utilities::trim(line.substr(0, line.find('#')));
         std::smatch match;
-        if (std::regex_match(line, match, subsection_line))
-          sections.push_back(match[1]);
-        else if (std::regex_match(line, match, end_line) && !sections.empty())
-          sections.pop_back();
-        else if (std::regex_match(line, match, set_line))
+        const auto  fault = [&line](const std::string &what) {
+          return InputError(line.place + ": '" + line.text +
+                            "' can't be understood: " + what);
+        };
+        if (std::regex_match(line.text, match, subsection_line))
           {
-            std::string section;
-            for (const std::string &name : sections)
-              section += (section.empty() ? "" : "/") + name;
-            entries.push_back({section,
-                               match[1],
-                               Utilities::trim(match[2]),
-                               filename + ":" + std::to_string(number)});
+            const std::string name = match[1];
+            sections.push_back(with_single_blanks(
+              Utilities::trim(name.substr(0, name.find('#')))));
+            places.push_back(line.place);
+            entries.push_back({joined(sections), "", "", line.place});
           }
+        else if (std::regex_match(line.text, match, end_line))
+          {
+            if (sections.empty())
+              throw fault("no subsection is open");
+            sections.pop_back();
+            places.pop_back();
+          }
+        else if (std::regex_match(line.text, match, set_line))
+          entries.push_back({joined(sections),
+                             with_single_blanks(match[1]),
+                             match[2],
+                             line.place});
+        else
+          throw fault("allowed are lines with 'subsection NAME', 'end', 'set "
+                      "NAME = VALUE' and 'include FILE'");
       }
+    if (!sections.empty())
+      throw InputError(places.back() + ": 'subsection " + sections.back() +
+                       "' can't be understood: it has no 'end'");
   }
 
 
@@ -132,21 +166,17 @@ namespace Sandglass
   void
   ParameterFile::parse(ParameterHandler &prm) const
   {
+    // In their order: later ones override earlier ones.
     for (const Entry &entry : entries)
-      set_entry(entry, prm);
-    // What the scan above doesn't understand, deal.II explains.
-    try
-      {
-        prm.parse_input_from_string(text);
-      }
-    catch (const ExceptionBase &exception)
-      {
+      if (!entry.name.empty())
+        set_entry(entry, prm);
+    for (const Entry &entry : entries)
+      if (entry.name.empty() &&
+          !prm.subsection_path_exists(
+            Utilities::split_string_list(entry.section, '/')))
         throw InputError(
-          filename + ": the file can't be understood: " + info_of(exception));
-      }
-    // The command line overrides the file.
-    for (const Entry &entry : entries)
-      set_entry(entry, prm);
+          entry.place + ": there is no section '" + entry.section +
+          "'; sandglass --print-parameters lists what is allowed");
   }
 
 
@@ -160,19 +190,25 @@ namespace Sandglass
     for (const std::string &section : sections)
       prm.enter_subsection(section);
     std::string allowed;
-    try
-      {
-        prm.set(entry.name, entry.value);
-      }
-    catch (const ParameterHandler::ExcEntryUndeclared &)
-      {
-        allowed = "there is no such parameter; sandglass --print-parameters "
-                  "lists what is allowed";
-      }
-    catch (const ExceptionBase &exception)
-      {
-        allowed = "allowed is " + allowed_values(exception);
-      }
+    for (const std::string &value :
+         {entry.value,
+          // A comment may begin within a word, where the word makes no sense.
+          Utilities::trim(entry.value.substr(0, entry.value.find('#')))})
+      try
+        {
+          allowed.clear();
+          prm.set(entry.name, value);
+          break;
+        }
+      catch (const ParameterHandler::ExcEntryUndeclared &)
+        {
+          allowed = "there is no such parameter; sandglass --print-parameters "
+                    "lists what is allowed";
+        }
+      catch (const ExceptionBase &exception)
+        {
+          allowed = "allowed is " + allowed_values(exception);
+        }
     for (unsigned int i = 0; i < sections.size(); ++i)
       prm.leave_subsection();
     if (!allowed.empty())
@@ -182,6 +218,18 @@ namespace Sandglass
                          entry.section,
                          entry.name);
       }
+  }
+
+
+
+  std::vector<std::string>
+  ParameterFile::warnings() const
+  {
+    std::vector<std::string> result;
+    if (!sets_something)
+      result.push_back(filename + " sets no parameter: all that the command "
+                                  "line doesn't set have their defaults.");
+    return result;
   }
 
 

@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/settlement_check.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/banner.h>
 #include <sandglass/output/output_directory.h>
@@ -17,6 +18,15 @@ namespace Sandglass
 {
   namespace
   {
+    void
+    warn(Log &log, const std::vector<std::string> &warnings)
+    {
+      for (const std::string &warning : warnings)
+        log.stream() << "Warning: " << warning << std::endl;
+    }
+
+
+
     /// One simulation in a space dimension.
     template <int dim>
     class Simulation
@@ -53,7 +63,13 @@ namespace Sandglass
 
       /// Where nothing can leave, let particles settle at their own rest.
       void
-      settle();
+      settle_particles();
+
+      /// All of the static stage, with doubts about the material's stiffness
+      /// where it settles too much or finds no state at rest.
+      StaticState<dim>
+      settle(StaticStage<dim> &static_stage);
+
 
       void
       go_on_from(const Checkpoint &checkpoint);
@@ -103,8 +119,12 @@ namespace Sandglass
     Mesh<dim>
     Simulation<dim>::timed_mesh()
     {
-      TimerOutput::Scope scope(timings, Timing::set_up);
-      return make_mesh<dim>(parameters.scene, communicator);
+      TimerOutput::Scope       scope(timings, Timing::set_up);
+      std::vector<std::string> warnings;
+      Mesh<dim>                result =
+        make_mesh<dim>(parameters.scene, communicator, &warnings);
+      warn(log, warnings);
+      return result;
     }
 
 
@@ -188,12 +208,12 @@ namespace Sandglass
                                     parameters.walls,
                                     parameters.static_stage,
                                     log.stream());
-      const StaticState<dim> state = static_stage.run();
+      const StaticState<dim> state = settle(static_stage);
       carry_to_particles(state,
                          part->scene,
                          *part->flow,
                          parameters.static_stage.displaces_particles);
-      settle();
+      settle_particles();
       static_scope.stop();
       if (parameters.output.writes_grid)
         {
@@ -206,8 +226,28 @@ namespace Sandglass
 
 
     template <int dim>
+    StaticState<dim>
+    Simulation<dim>::settle(StaticStage<dim> &static_stage)
+    {
+      StaticState<dim> state;
+      try
+        {
+          state = static_stage.run();
+        }
+      catch (const RunError &error)
+        {
+          throw RunError(error.what() +
+                         doubt_stiffness(part->scene, parameters.material));
+        }
+      check_settlement(state, part->scene, parameters.material, log.stream());
+      return state;
+    }
+
+
+
+    template <int dim>
     void
-    Simulation<dim>::settle()
+    Simulation<dim>::settle_particles()
     {
       const auto &walls = part->scene.walls;
       if (!parameters.static_stage.settles_particles ||
@@ -273,12 +313,16 @@ namespace Sandglass
 
 
   void
-  run(const Parameters  &parameters,
-      const CommandLine &command_line,
-      const MPI_Comm     communicator)
+  run(const Parameters               &parameters,
+      const CommandLine              &command_line,
+      const std::vector<std::string> &warnings,
+      const MPI_Comm                  communicator)
   {
-    Log log(communicator, command_line.is_quiet);
-    log.stream() << banner(communicator) << std::flush;
+    const bool only_checks = command_line.task == CommandLine::Task::validate;
+    Log        log(communicator, command_line.is_quiet);
+    if (!only_checks)
+      log.stream() << banner(communicator) << std::flush;
+    warn(log, warnings);
     choose(
       AllKinematics(),
       [&parameters](const auto kinematics) {
@@ -286,9 +330,13 @@ namespace Sandglass
                parameters.scene.formulation;
       },
       [&](const auto kinematics) {
-        constexpr int dim = decltype(kinematics)::Type::dim;
-        Simulation<dim>(parameters, command_line.is_restart, communicator, log)
-          .run();
+        constexpr int   dim = decltype(kinematics)::Type::dim;
+        Simulation<dim> simulation(parameters,
+                                   command_line.is_restart,
+                                   communicator,
+                                   log);
+        if (!only_checks)
+          simulation.run();
       });
   }
 } // namespace Sandglass

@@ -2,41 +2,24 @@
 
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/scene/check_mesh.h>
+#include <sandglass/scene/gmsh_mesh.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/scene/make_walls.h>
+#include <sandglass/scene/merge_vertices.h>
+#include <sandglass/scene/mesh_cells.h>
+#include <sandglass/scene/name_faces.h>
+#include <sandglass/scene/place_mesh.h>
 #include <sandglass/scene/silo_section.h>
 
 #include <gmsh.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <string>
 
 namespace Sandglass
 {
   namespace
   {
-    /// Keeps Gmsh open for a scope, with its messages silenced.
-    class GmshSession
-    {
-    public:
-      GmshSession()
-      {
-        gmsh::initialize(0, nullptr, false);
-        gmsh::option::setNumber("General.Terminal", 0);
-      }
-
-      GmshSession(const GmshSession &) = delete;
-
-      ~GmshSession()
-      {
-        gmsh::finalize();
-      }
-    };
-
-
-
     void
     generate(const SceneParameters &parameters, const int dimension)
     {
@@ -54,162 +37,52 @@ namespace Sandglass
 
 
 
+    [[noreturn]] void
+    refuse_file(const SceneParameters &parameters, const std::string &what)
+    {
+      throw InputError("Scene", "Mesh file", parameters.mesh_file, what);
+    }
+
+
+
+    /// Close the outlet of a mesh.
     template <int dim>
     void
-    take_vertices(Mesh<dim>                           &mesh,
-                  std::map<std::size_t, unsigned int> &index_of)
+    leave_out_fall_region(Mesh<dim> &mesh)
     {
-      std::vector<std::size_t> tags;
-      std::vector<double>      coordinates, unused;
-      gmsh::model::mesh::getNodes(tags, coordinates, unused);
-      for (std::size_t i = 0; i < tags.size(); ++i)
-        if (index_of.emplace(tags[i], mesh.vertices.size()).second)
-          {
-            dealii::Point<dim> vertex;
-            for (unsigned int d = 0; d < dim; ++d)
-              vertex[d] = coordinates[3 * i + d];
-            mesh.vertices.push_back(vertex);
-          }
+      mesh.cells.erase(std::remove_if(mesh.cells.begin(),
+                                      mesh.cells.end(),
+                                      [](const auto &cell) {
+                                        return !cell.is_filled;
+                                      }),
+                       mesh.cells.end());
     }
 
 
 
-    /// Node tags of the elements of one type in a physical group, in a row.
-    std::vector<std::size_t>
-    element_nodes(const int dimension, const int group, const int element_type)
-    {
-      std::vector<int> entities;
-      gmsh::model::getEntitiesForPhysicalGroup(dimension, group, entities);
-      std::vector<std::size_t> all_nodes;
-      for (const int entity : entities)
-        {
-          std::vector<std::size_t> tags, nodes;
-          gmsh::model::mesh::getElementsByType(element_type,
-                                               tags,
-                                               nodes,
-                                               entity);
-          all_nodes.insert(all_nodes.end(), nodes.begin(), nodes.end());
-        }
-      return all_nodes;
-    }
-
-
-
-    /// Gmsh's number of the element type with so many nodes in a dimension.
-    int
-    gmsh_type(const int dimension, const unsigned int n_nodes)
-    {
-      const std::string names[]{"", "Line", "Triangle", "Tetrahedron"};
-      const std::string cubes[]{"", "Line", "Quadrangle", "Hexahedron"};
-      const bool        is_simplex =
-        n_nodes == static_cast<unsigned int>(dimension) + 1;
-      return gmsh::model::mesh::getElementType(is_simplex ? names[dimension] :
-                                                            cubes[dimension],
-                                               1);
-    }
-
-
-
-    /// Add the faces of a physical group, one of the standard parts or else a
-    /// named wall.
-    template <int dim>
-    void
-    take_faces(Mesh<dim>                                 &mesh,
-               const std::map<std::size_t, unsigned int> &index_of,
-               const int                                  group,
-               const std::string                         &name)
-    {
-      typename Mesh<dim>::Face face{{}, BoundaryRole::insert};
-      const auto               part =
-        std::find(boundary_role_names.begin(), boundary_role_names.end(), name);
-      if (part != boundary_role_names.end())
-        face.role =
-          static_cast<BoundaryRole>(part - boundary_role_names.begin() + 1);
-      else
-        {
-          face.named_wall = mesh.named_walls.size();
-          mesh.named_walls.push_back(name);
-        }
-
-      const unsigned int n = mesh.vertices_per_face();
-      const auto nodes = element_nodes(dim - 1, group, gmsh_type(dim - 1, n));
-      for (std::size_t i = 0; i < nodes.size(); i += n)
-        {
-          for (unsigned int v = 0; v < n; ++v)
-            face.vertices[v] = index_of.at(nodes[i + v]);
-          mesh.faces.push_back(face);
-        }
-    }
-
-
-
-    /// Read what Gmsh's current model holds into a Mesh.
+    /// The mesh of Gmsh's current model.
     template <int dim>
     Mesh<dim>
-    take_mesh(const CellType cell_type)
+    take_mesh(const SceneParameters    &parameters,
+              std::vector<std::string> &warnings)
     {
-      Mesh<dim> mesh;
-      mesh.cell_type = cell_type;
-      std::map<std::size_t, unsigned int> index_of;
-      take_vertices(mesh, index_of);
-
-      gmsh::vectorpair groups;
-      gmsh::model::getPhysicalGroups(groups);
-      for (const auto &[dimension, group] : groups)
-        {
-          std::string name;
-          gmsh::model::getPhysicalName(dimension, group, name);
-          if (dimension == dim - 1 && !name.empty())
-            take_faces(mesh, index_of, group, name);
-          else if (dimension == dim &&
-                   (name == material_group || name == fall_region_group))
-            {
-              const unsigned int n = mesh.vertices_per_cell();
-              const auto         nodes =
-                element_nodes(dimension, group, gmsh_type(dimension, n));
-              for (std::size_t i = 0; i < nodes.size(); i += n)
-                {
-                  typename Mesh<dim>::Cell cell{{}, name == material_group};
-                  for (unsigned int v = 0; v < n; ++v)
-                    cell.vertices[v] = index_of.at(nodes[i + v]);
-                  mesh.cells.push_back(cell);
-                }
-            }
-        }
-      settle_named_walls(mesh);
+      GmshMesh     gmsh_mesh = read_gmsh_model();
+      Mesh<dim>    mesh      = take_cells<dim>(gmsh_mesh, parameters.cell_type);
+      unsigned int n_merged  = merge_vertices(mesh, gmsh_mesh);
+      orient_cells(mesh);
+      check_overlap(mesh);
+      if (!parameters.outlet_is_open)
+        leave_out_fall_region(mesh);
+      name_faces(mesh, gmsh_mesh, parameters.outlet_is_open, warnings);
+      place_mesh(mesh, parameters.formulation, warnings);
+      if (gmsh_mesh.is_of_higher_order)
+        warnings.push_back("The mesh's cells are of higher order: only their "
+                           "corners are used, and their edges are straight.");
+      if (n_merged > 0)
+        warnings.push_back(
+          "Surfaces of the mesh meet without sharing their nodes: " +
+          std::to_string(n_merged) + " nodes have been merged.");
       return mesh;
-    }
-
-
-
-    template <int dim>
-    void
-    check_mesh_file(const Mesh<dim> &mesh, const std::string &filename)
-    {
-      const auto refuse = [&filename](const std::string &what) {
-        throw InputError("Scene", "Mesh file", filename, what);
-      };
-      if (std::none_of(mesh.cells.begin(),
-                       mesh.cells.end(),
-                       [](const typename Mesh<dim>::Cell &cell) {
-                         return cell.is_filled;
-                       }))
-        refuse(std::string("the mesh has no ") +
-               (mesh.cell_type == CellType::triangle ? "triangles" :
-                                                       "quadrilaterals") +
-               " in a physical surface named 'material'; allowed are meshes "
-               "with the surfaces 'material' and, below an open outlet, "
-               "'fall_region'");
-      for (const BoundaryRole role : {BoundaryRole::outlet, BoundaryRole::wall})
-        if (std::none_of(mesh.faces.begin(),
-                         mesh.faces.end(),
-                         [role](const typename Mesh<dim>::Face &edge) {
-                           return edge.role == role;
-                         }))
-          refuse("the mesh has no physical line named '" +
-                 std::string(name_of(role)) +
-                 "'; allowed are meshes that name their boundary: axis, wall, "
-                 "floor, hopper, outlet, fall_side, fall_bottom, top");
     }
   } // namespace
 
@@ -220,52 +93,75 @@ namespace Sandglass
   mesh_silo<2>(const SceneParameters &parameters)
   {
     GmshSession session;
-    add_silo_section(parameters);
-    generate(parameters, 2);
-    return take_mesh<2>(parameters.cell_type);
+    try
+      {
+        call_gmsh([&parameters]() {
+          add_silo_section(parameters);
+          generate(parameters, 2);
+        });
+      }
+    catch (const std::exception &error)
+      {
+        throw InputError("Gmsh can't mesh the silo (" +
+                           std::string(error.what()) +
+                           "); try another Element size, Mesh algorithm or "
+                           "Mesh seed",
+                         "Scene",
+                         "Element size");
+      }
+    std::vector<std::string> warnings;
+    return take_mesh<2>(parameters, warnings);
   }
 
 
 
   template <int dim>
   Mesh<dim>
-  read_mesh(const std::string &filename, const CellType cell_type)
+  read_mesh(const SceneParameters    &parameters,
+            std::vector<std::string> &warnings)
   {
     GmshSession session;
     try
       {
-        gmsh::open(filename);
+        call_gmsh([&parameters]() { gmsh::open(parameters.mesh_file); });
       }
     catch (const std::exception &error)
       {
-        throw InputError("Scene",
-                         "Mesh file",
-                         filename,
-                         "Gmsh can't read it (" + std::string(error.what()) +
-                           "); allowed is a mesh in Gmsh's .msh format");
+        refuse_file(parameters,
+                    "Gmsh can't read it (" + std::string(error.what()) +
+                      "); allowed is a mesh in Gmsh's .msh format");
       }
-    Mesh<dim> mesh = take_mesh<dim>(cell_type);
-    check_mesh_file(mesh, filename);
-    return mesh;
+    try
+      {
+        return take_mesh<dim>(parameters, warnings);
+      }
+    catch (const InputError &error)
+      {
+        refuse_file(parameters, error.what());
+      }
   }
 
 
 
   template <int dim>
   Mesh<dim>
-  make_mesh(const SceneParameters &parameters, const MPI_Comm communicator)
+  make_mesh(const SceneParameters    &parameters,
+            const MPI_Comm            communicator,
+            std::vector<std::string> *warnings)
   {
     using namespace dealii;
+    std::vector<std::string> found;
     // Errors travel with the mesh, so that each rank throws the same one.
     std::pair<Mesh<dim>, std::array<std::string, 3>> result;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       try
         {
-          result.first =
-            parameters.shape == SceneParameters::Shape::silo ?
-              mesh_silo<dim>(parameters) :
-              read_mesh<dim>(parameters.mesh_file, parameters.cell_type);
+          result.first = parameters.shape == SceneParameters::Shape::silo ?
+                           mesh_silo<dim>(parameters) :
+                           read_mesh<dim>(parameters, found);
+          check_gravity(parameters, result.first);
           sort_along_curve(result.first);
+          doubt_lengths(result.first, found);
         }
       catch (const InputError &error)
         {
@@ -276,14 +172,19 @@ namespace Sandglass
     const auto &[message, section, name] = result.second;
     if (!message.empty())
       throw InputError(message, section, name);
+    if (warnings != nullptr)
+      *warnings = std::move(found);
     return result.first;
   }
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template Mesh<dim> read_mesh<dim>(const std::string &, const CellType); \
-  template Mesh<dim> make_mesh<dim>(const SceneParameters &, const MPI_Comm);
+#define INSTANTIATE(dim)                                         \
+  template Mesh<dim> read_mesh<dim>(const SceneParameters &,     \
+                                    std::vector<std::string> &); \
+  template Mesh<dim> make_mesh<dim>(const SceneParameters &,     \
+                                    const MPI_Comm,              \
+                                    std::vector<std::string> *);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

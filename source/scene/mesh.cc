@@ -94,6 +94,8 @@ namespace Sandglass
   void
   sort_along_curve(Mesh<dim> &mesh)
   {
+    // Vertices that no cell has don't count: they may be anywhere.
+    number_vertices_by_cell(mesh);
     dealii::Point<dim> lower = mesh.vertices.at(0), upper = lower;
     for (const auto &vertex : mesh.vertices)
       for (unsigned int d = 0; d < dim; ++d)

@@ -17,6 +17,38 @@ namespace Sandglass
       text << value;
       return text.str();
     }
+
+
+
+    /// Lengths that differ by less of the half width are the same.
+    constexpr double rounding = 1e-9;
+
+
+
+    /// Refuse an outlet wider than the silo, and a hopper that doesn't narrow.
+    void
+    check_openings(const SceneParameters &scene)
+    {
+      const bool   has_hopper = scene.hopper_height > 0.;
+      const double half_width = scene.half_width;
+      if (scene.outlet_half_width > half_width * (1. + rounding) ||
+          (has_hopper &&
+           scene.outlet_half_width > half_width * (1. - rounding)))
+        throw InputError("Scene",
+                         "Outlet half width",
+                         to_text(scene.outlet_half_width),
+                         std::string("allowed is ") +
+                           (has_hopper ? "with a hopper less than" :
+                                         "at most") +
+                           " the silo's Half width of " + to_text(half_width) +
+                           " m");
+      if (!has_hopper && scene.wall_height == 0.)
+        throw InputError("Scene",
+                         "Wall height",
+                         to_text(scene.wall_height),
+                         "allowed is a number greater than 0, since there is "
+                         "no hopper either (Hopper height = 0)");
+    }
   } // namespace
 
 
@@ -48,8 +80,8 @@ namespace Sandglass
              "Mesh in Gmsh's format, for Shape = mesh file. Physical lines "
              "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top, "
              "and further walls that Walls/Friction angles names; "
-             "physical surfaces material and fall_region. Outlet level at "
-             "y = 0.");
+             "physical surfaces material and fall_region. It is moved so "
+             "that the axis is at x = 0 and the outlet level at y = 0.");
     add_number(
       *this,
       "Half width",
@@ -60,15 +92,17 @@ namespace Sandglass
     add_number(*this,
                "Wall height",
                wall_height,
-               Bounds::greater_than(0.),
+               Bounds::at_least(0.),
                "m",
-               "Height of the vertical wall; the material fills it.");
+               "Height of the vertical wall; the material fills it. With a "
+               "hopper it may be 0: then there is no such wall.");
     add_number(*this,
                "Outlet half width",
                outlet_half_width,
                Bounds::greater_than(0.),
                "m",
-               "Half width or radius of the outlet.");
+               "Half width or radius of the outlet. With a flat bottom it may "
+               "be the Half width: then there is no floor.");
     add_flag(
       *this,
       "Symmetry",
@@ -150,7 +184,8 @@ namespace Sandglass
                         outlet_is_open,
                         {{"open", true}, {"closed", false}},
                         "Whether material can leave; a closed outlet belongs "
-                        "to the floor, and no fall region is meshed.");
+                        "to the floor, and there is no fall region: that of a "
+                        "mesh file is left out.");
     add_selection<Partitioner>(
       *this,
       "Partitioner",
@@ -195,12 +230,7 @@ namespace Sandglass
         return;
       }
     check_symmetry();
-    if (outlet_half_width >= half_width)
-      throw InputError("Scene",
-                       "Outlet half width",
-                       to_text(outlet_half_width),
-                       "allowed is less than the silo's Half width of " +
-                         to_text(half_width) + " m");
+    check_openings(*this);
     check_element_size();
   }
 
@@ -217,12 +247,15 @@ namespace Sandglass
                        "allowed is at most the Outlet half width of " +
                          to_text(outlet_half_width) +
                          " m, which must hold an element");
-    if (element_size > wall_height)
+    const bool   has_wall = wall_height > 0.;
+    const double height   = has_wall ? wall_height : hopper_height;
+    if (element_size > height)
       throw InputError("Scene",
                        "Element size",
                        to_text(element_size),
-                       "allowed is at most the Wall height of " +
-                         to_text(wall_height) + " m");
+                       std::string("allowed is at most the ") +
+                         (has_wall ? "Wall height of " : "Hopper height of ") +
+                         to_text(height) + " m");
     if (outlet_element_size > element_size)
       throw InputError("Scene",
                        "Outlet element size",
@@ -254,16 +287,14 @@ namespace Sandglass
                        to_text(outlet_eccentricity),
                        "allowed is 0, since Symmetry = true; an eccentric "
                        "outlet needs Symmetry = false");
-    // A floor that only rounding makes wider than nothing can't be meshed.
-    constexpr double rounding = 1e-9;
-    if (outlet_half_width < half_width &&
-        std::abs(outlet_eccentricity) + outlet_half_width >=
-          half_width * (1. - rounding))
+    if (outlet_half_width <= half_width * (1. + rounding) &&
+        std::abs(outlet_eccentricity) + outlet_half_width >
+          half_width * (1. + rounding))
       throw InputError("Scene",
                        "Outlet eccentricity",
                        to_text(outlet_eccentricity),
-                       "the outlet must lie between the walls: allowed is less "
-                       "than " +
+                       "the outlet must lie between the walls: allowed is at "
+                       "most " +
                          to_text(half_width - outlet_half_width) +
                          " m to either side, the Half width less the Outlet "
                          "half width");

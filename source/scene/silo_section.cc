@@ -5,9 +5,11 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Sandglass
@@ -55,15 +57,27 @@ namespace Sandglass
       }
 
     private:
+      /// Corners of the section that are at one place are one point: an outlet
+      /// may reach to the wall, and a hopper to the top.
       int
       point(const double x, const double y)
       {
-        return gmsh::model::geo::addPoint(x, y, 0., parameters.element_size);
+        const double rounding = 1e-9 * parameters.half_width;
+        for (const auto &[position, tag] : points)
+          if (std::hypot(position[0] - x, position[1] - y) < rounding)
+            return tag;
+        const int tag =
+          gmsh::model::geo::addPoint(x, y, 0., parameters.element_size);
+        points.push_back({{{x, y}}, tag});
+        return tag;
       }
 
+      /// Nothing, called 0, between a point and itself.
       int
       line(const int start, const int end, const BoundaryRole role)
       {
+        if (start == end)
+          return 0;
         const int tag = gmsh::model::geo::addLine(start, end);
         lines_named[std::string(name_of(role))].push_back(tag);
         return tag;
@@ -83,8 +97,9 @@ namespace Sandglass
       }
 
       int
-      surface(const std::vector<int> &lines, const std::string &name)
+      surface(std::vector<int> lines, const std::string &name)
       {
+        lines.erase(std::remove(lines.begin(), lines.end(), 0), lines.end());
         const int tag = gmsh::model::geo::addPlaneSurface(
           {gmsh::model::geo::addCurveLoop(lines)});
         surfaces_named[name].push_back(tag);
@@ -210,7 +225,9 @@ namespace Sandglass
         const int left_top = point(left_end, h), wall_top = point(right_end, h);
         const int wall_foot  = point(right_end, e);
         const int left_foot  = point(left_end, e);
-        const int transition = inner_line(left_foot, wall_foot);
+        const int transition = left_foot == left_top ?
+                                 line(left_foot, wall_foot, BoundaryRole::top) :
+                                 inner_line(left_foot, wall_foot);
         block(outlet,
               line(right_lip, wall_foot, BoundaryRole::hopper),
               -transition,
@@ -218,6 +235,8 @@ namespace Sandglass
               n_width,
               n_cells_along(hopper_length),
               material_group);
+        if (left_foot == left_top)
+          return n_width;
         block(transition,
               line(wall_foot, wall_top, BoundaryRole::wall),
               line(wall_top, left_top, BoundaryRole::top),
@@ -240,10 +259,15 @@ namespace Sandglass
         // Above the outlet's ends.
         const int left_top  = point(outlet_left, h);
         const int right_top = point(outlet_right, h);
-        const int right     = inner_line(right_lip, right_top);
-        const int left      = is_half ?
-                                line(left_top, left_lip, BoundaryRole::axis) :
-                                inner_line(left_top, left_lip);
+        const int wall_foot = point(right_end, 0.);
+        const int left_foot = point(left_end, 0.);
+        const int right     = right_lip == wall_foot ?
+                                line(right_lip, right_top, BoundaryRole::wall) :
+                                inner_line(right_lip, right_top);
+        const int left =
+          is_half               ? line(left_top, left_lip, BoundaryRole::axis) :
+          left_lip == left_foot ? line(left_top, left_lip, BoundaryRole::wall) :
+                                  inner_line(left_top, left_lip);
         block(outlet,
               right,
               line(right_top, left_top, BoundaryRole::top),
@@ -252,19 +276,18 @@ namespace Sandglass
               n_height,
               material_group);
 
-        const int wall_foot = point(right_end, 0.);
-        const int wall_top  = point(right_end, h);
-        block(line(right_lip, wall_foot, BoundaryRole::floor),
-              line(wall_foot, wall_top, BoundaryRole::wall),
-              line(wall_top, right_top, BoundaryRole::top),
-              -right,
-              n_cells_along(right_end - outlet_right),
-              n_height,
-              material_group);
-        if (is_half)
+        const int wall_top = point(right_end, h);
+        if (right_lip != wall_foot)
+          block(line(right_lip, wall_foot, BoundaryRole::floor),
+                line(wall_foot, wall_top, BoundaryRole::wall),
+                line(wall_top, right_top, BoundaryRole::top),
+                -right,
+                n_cells_along(right_end - outlet_right),
+                n_height,
+                material_group);
+        if (is_half || left_lip == left_foot)
           return n_outlet;
 
-        const int left_foot     = point(left_end, 0.);
         const int left_wall_top = point(left_end, h);
         block(line(left_foot, left_lip, BoundaryRole::floor),
               -left,
@@ -285,6 +308,8 @@ namespace Sandglass
       /// What lies between outlet and wall.
       const BoundaryRole bottom_role;
 
+      /// Places in m and numbers of the points so far.
+      std::vector<std::pair<std::array<double, 2>, int>> points;
       std::vector<int> lips; ///< points where free triangles may be smaller
       std::map<std::string, std::vector<int>> lines_named, surfaces_named;
     };

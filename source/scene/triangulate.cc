@@ -1,13 +1,11 @@
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/reference_cell.h>
 
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/scene/mesh_faces.h>
 #include <sandglass/scene/triangulate.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <sstream>
 
 namespace Sandglass
@@ -38,61 +36,19 @@ namespace Sandglass
 
 
 
-    /// A face's vertices in order, by which it is known.
-    template <int dim>
-    using FaceKey =
-      std::array<unsigned int, Mesh<dim>::most_vertices_per_cell / 2>;
-
-    template <int dim>
-    FaceKey<dim>
-    key_of(FaceKey<dim> vertices, const unsigned int n)
-    {
-      std::fill(vertices.begin() + n, vertices.end(), 0);
-      std::sort(vertices.begin(), vertices.begin() + n);
-      return vertices;
-    }
-
-
-
-    /// How many cells each face has, of those made by make_cells().
-    template <int dim>
-    std::map<FaceKey<dim>, unsigned int>
-    count_cells_at_faces(const Mesh<dim>                  &mesh,
-                         const std::vector<CellData<dim>> &cells)
-    {
-      const ReferenceCell reference = is_simplex(mesh.cell_type) ?
-                                        ReferenceCells::get_simplex<dim>() :
-                                        ReferenceCells::get_hypercube<dim>();
-      std::map<FaceKey<dim>, unsigned int> n_cells_at;
-      for (const auto &cell : cells)
-        for (const unsigned int face : reference.face_indices())
-          {
-            FaceKey<dim>       vertices{};
-            const unsigned int n = mesh.vertices_per_face();
-            for (unsigned int v = 0; v < n; ++v)
-              vertices[v] =
-                cell.vertices[reference.face_to_cell_vertices(face, v, 1)];
-            ++n_cells_at[key_of<dim>(vertices, n)];
-          }
-      return n_cells_at;
-    }
-
-
-
     /// The boundary faces with their ids. Inner faces with a role (the outlet
     /// above a fall region) cannot carry one.
     template <int dim>
     SubCellData
-    make_boundary_faces(const Mesh<dim>                  &mesh,
-                        const std::vector<CellData<dim>> &cells)
+    make_boundary_faces(const Mesh<dim> &mesh)
     {
-      const auto         n_cells_at = count_cells_at_faces(mesh, cells);
-      const unsigned int n          = mesh.vertices_per_face();
-      SubCellData        result;
+      const CellsAtFaces<dim> cells_at = cells_at_faces(mesh);
+      const unsigned int      n        = mesh.vertices_per_face();
+      SubCellData             result;
       for (const auto &face : mesh.faces)
         {
-          const auto entry = n_cells_at.find(key_of<dim>(face.vertices, n));
-          if (entry == n_cells_at.end() || entry->second != 1)
+          const auto entry = cells_at.find(key_of<dim>(face.vertices, n));
+          if (entry == cells_at.end() || entry->second.size() != 1)
             continue;
           CellData<dim - 1> data(n);
           data.vertices.assign(face.vertices.begin(),
@@ -135,7 +91,7 @@ namespace Sandglass
   {
     std::vector<CellData<dim>> cells = make_cells(mesh);
 
-    const SubCellData subcell_data = make_boundary_faces(mesh, cells);
+    const SubCellData subcell_data = make_boundary_faces(mesh);
     GridTools::invert_all_negative_measure_cells(mesh.vertices, cells);
     if (!is_simplex(mesh.cell_type))
       GridTools::consistently_order_cells(cells);

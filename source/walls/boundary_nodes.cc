@@ -150,6 +150,19 @@ namespace Sandglass
 
     template <int dim>
     bool
+    has_axis(const BoundaryNode<dim> &node)
+    {
+      return std::any_of(node.supports.begin(),
+                         node.supports.end(),
+                         [](const Support<dim> &support) {
+                           return support.is_axis;
+                         });
+    }
+
+
+
+    template <int dim>
+    bool
     has_role(const BoundaryNode<dim>      &node,
              const std::vector<Wall<dim>> &walls,
              const BoundaryRole            role)
@@ -189,7 +202,7 @@ namespace Sandglass
                 node.dof      = face->vertex_dof_index(v, 0);
                 node.vertex   = face->vertex_index(v);
                 node.position = face->vertex(v);
-                if (part.role == BoundaryRole::fall_side)
+                if (is_open(part.role))
                   node.is_outlet_lip = true;
                 if (!is_axis && part.wall == no_wall)
                   continue;
@@ -214,7 +227,9 @@ namespace Sandglass
             merge_closed_outlet(support, walls);
             share_out(support, walls);
           }
-        node.is_free = node.is_outlet_lip &&
+        // Where a wall ends at the open part of the boundary.
+        node.is_outlet_lip = node.is_outlet_lip && !has_axis(node);
+        node.is_free       = node.is_outlet_lip &&
                        parameters.outlet_lip == WallParameters::OutletLip::free;
         node.is_fixed = parameters.fix_bottom_corner && !node.is_free &&
                         has_role(node, walls, BoundaryRole::wall) &&

@@ -4,6 +4,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/run/parameter_lines.h>
 
 #include <mpi.h>
 
@@ -21,7 +22,7 @@ namespace Sandglass
   public:
     /**
      * Rank 0 reads the file. Collective. Throws InputError if it can't be read
-     * or a setting isn't of the form Section/Name=value.
+     * or understood, or if a setting isn't of the form Section/Name=value.
      */
     ParameterFile(const std::string              &filename,
                   const std::vector<std::string> &settings,
@@ -31,19 +32,25 @@ namespace Sandglass
     void
     parse(dealii::ParameterHandler &prm) const;
 
+    /// What deserves the user's attention: that the file sets nothing.
+    std::vector<std::string>
+    warnings() const;
+
     /// The error given, with file and line of the parameter to blame.
     InputError
     located(const InputError &error) const;
 
   private:
+    /// A parameter's value or, without a name, the start of a section.
     struct Entry
     {
       std::string section, name, value;
       std::string place; ///< "file:line" or the command line's option
     };
 
+    /// Throws InputError for lines without a meaning.
     void
-    scan_text();
+    scan(const std::vector<ParameterLine> &lines);
 
     void
     add_setting(const std::string &setting);
@@ -52,8 +59,8 @@ namespace Sandglass
     set_entry(const Entry &entry, dealii::ParameterHandler &prm);
 
     const std::string  filename;
-    std::string        text;
     std::vector<Entry> entries;
+    bool               sets_something;
   };
 
   /**

@@ -7,6 +7,7 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace Sandglass
 {
@@ -25,22 +26,31 @@ namespace Sandglass
   mesh_silo<2>(const SceneParameters &parameters);
 
   /**
-   * Read a mesh that Gmsh can open. Lines must belong to physical groups named
-   * as in boundary_role_names, or to further walls that Walls/Friction angles
-   * names (see make_walls()), surfaces to groups `material` (filled) or
-   * `fall_region`. Throws InputError that names what is missing.
+   * Read the mesh file of the parameters. Lines must belong to physical groups
+   * named as in boundary_role_names, or to further walls that Walls/Friction
+   * angles names (see make_walls()), surfaces to groups `material` (filled) or
+   * `fall_region`, which a closed outlet leaves out. The mesh is moved to where
+   * mesh_silo() has its own. Throws InputError that says what is wrong with the
+   * file, and where.
+   *
+   * @param warnings  takes what deserves the user's attention.
    */
   template <int dim>
   Mesh<dim>
-  read_mesh(const std::string &filename, const CellType cell_type);
+  read_mesh(const SceneParameters    &parameters,
+            std::vector<std::string> &warnings);
 
   /**
    * The mesh that the parameters ask for, made on rank 0, sorted along a curve,
    * and the same on each rank. Errors are thrown on each rank.
+   *
+   * @param warnings  on rank 0, takes what deserves the user's attention.
    */
   template <int dim>
   Mesh<dim>
-  make_mesh(const SceneParameters &parameters, const MPI_Comm communicator);
+  make_mesh(const SceneParameters    &parameters,
+            const MPI_Comm            communicator,
+            std::vector<std::string> *warnings = nullptr);
 } // namespace Sandglass
 
 #endif

@@ -15,12 +15,13 @@
 
 namespace Sandglass
 {
-  /// Which cells touch a vertex where a wall meets the fall region's side.
+  /// Which cells touch a vertex where a wall ends at the open part of the
+  /// boundary.
   template <int dim>
   std::vector<bool>
   find_cells_at_lip(const Scene<dim> &scene)
   {
-    std::set<unsigned int> on_wall, on_side;
+    std::set<unsigned int> on_wall, on_opening;
     for (const auto &face : scene.triangulation.active_face_iterators())
       if (face->at_boundary())
         {
@@ -30,8 +31,8 @@ namespace Sandglass
             {
               if (part.wall != no_wall)
                 on_wall.insert(face->vertex_index(v));
-              if (part.role == BoundaryRole::fall_side)
-                on_side.insert(face->vertex_index(v));
+              if (is_open(part.role))
+                on_opening.insert(face->vertex_index(v));
             }
         }
 
@@ -39,7 +40,7 @@ namespace Sandglass
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         if (on_wall.count(cell->vertex_index(v)) > 0 &&
-            on_side.count(cell->vertex_index(v)) > 0)
+            on_opening.count(cell->vertex_index(v)) > 0)
           result[cell->active_cell_index()] = true;
     return result;
   }

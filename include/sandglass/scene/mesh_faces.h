@@ -1,0 +1,32 @@
+#ifndef sandglass_scene_mesh_faces_h
+#define sandglass_scene_mesh_faces_h
+
+#include <sandglass/scene/mesh.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace Sandglass
+{
+  /// A face's vertices in order, by which it is known; what a simplex
+  /// lacks comes last.
+  template <int dim>
+  using FaceKey =
+    std::array<unsigned int, Mesh<dim>::most_vertices_per_cell / 2>;
+
+  /// @param n  how many vertices the face has.
+  template <int dim>
+  FaceKey<dim>
+  key_of(FaceKey<dim> vertices, const unsigned int n);
+
+  /// The indices of the cells at each face of a mesh.
+  template <int dim>
+  using CellsAtFaces = std::map<FaceKey<dim>, std::vector<unsigned int>>;
+
+  template <int dim>
+  CellsAtFaces<dim>
+  cells_at_faces(const Mesh<dim> &mesh);
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,82 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/choices.h>
+#include <sandglass/scene/check_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Sandglass
+{
+  template <int dim>
+  void
+  check_gravity(const SceneParameters &parameters, const Mesh<dim> &mesh)
+  {
+    const auto refuse = [&parameters](const std::string &allowed) {
+      std::ostringstream value;
+      for (const double component : parameters.gravity)
+        value << (value.tellp() > 0 ? ", " : "") << component;
+      throw InputError("Scene", "Gravity", value.str(), allowed);
+    };
+    const dealii::Tensor<1, dim> gravity = parameters.gravity_vector<dim>();
+    if (gravity[1] > 0.)
+      refuse("gravity points upwards; allowed is at most 0 for y, which is the "
+             "silo's upward direction");
+
+    auto sideways             = gravity;
+    sideways[1]               = 0.;
+    constexpr double rounding = 1e-12;
+    if (sideways.norm() <= rounding * gravity.norm())
+      return;
+    if (parameters.formulation == Formulation::axisymmetric)
+      refuse("allowed is 0 for x with Formulation = axisymmetric, since "
+             "gravity beside the axis is not symmetric about it");
+    if (std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto &face) {
+          return face.role == BoundaryRole::axis;
+        }))
+      refuse("allowed is 0 for x with half a section, since gravity across its "
+             "symmetry plane is not symmetric; set Symmetry = false, or give "
+             "a mesh of the whole section");
+  }
+
+
+
+  template <int dim>
+  void
+  doubt_lengths(const Mesh<dim> &mesh, std::vector<std::string> &warnings)
+  {
+    // Models have been built from some centimetres on, silos up to 70 m.
+    constexpr double smallest = 0.03, largest = 100.;
+
+    double extent = 0.;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const auto [lower, upper] =
+          std::minmax_element(mesh.vertices.begin(),
+                              mesh.vertices.end(),
+                              [d](const auto &a, const auto &b) {
+                                return a[d] < b[d];
+                              });
+        extent = std::max(extent, (*upper)[d] - (*lower)[d]);
+      }
+    if (extent >= smallest && extent <= largest)
+      return;
+    std::ostringstream message;
+    message << "The silo is " << extent
+            << " m in size, which is hardly meant: lengths are in metres"
+            << (extent > largest ? " (are they in millimetres here?)" : "")
+            << ", gravity is in m/s^2, density in kg/m^3, Young's modulus in "
+               "Pa.";
+    warnings.push_back(message.str());
+  }
+
+
+
+#define INSTANTIATE(dim)                                    \
+  template void check_gravity<dim>(const SceneParameters &, \
+                                   const Mesh<dim> &);      \
+  template void doubt_lengths<dim>(const Mesh<dim> &,       \
+                                   std::vector<std::string> &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
+} // namespace Sandglass
