@@ -166,7 +166,9 @@ namespace Sandglass
         const WallTraction &traction = tractions[i];
         for (unsigned int d = 0; d < 3; ++d)
           piece.points.push_back(traction.record.position[d]);
+        // At a bend a line goes on from the node's second record.
         if (i > 0 && traction.record.wall == tractions[i - 1].record.wall &&
+            traction.record.vertex != tractions[i - 1].record.vertex &&
             traction.place.line == tractions[i - 1].place.line)
           for (const auto end : {i - 1, i})
             piece.cells.push_back(end);

@@ -1,12 +1,16 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/flow/in_space.h>
+#include <sandglass/output/section_corner_shares.h>
 #include <sandglass/output/section_wall_tractions.h>
 #include <sandglass/walls/section_tangent.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace Sandglass
 {
@@ -101,7 +105,6 @@ namespace Sandglass
 
     const auto key = [this](const PlacedRecord &placed) {
       const WallRecord &record = placed.record;
-      // Where a wall has a bend, a node has two records.
       return std::make_tuple(scene.walls[record.wall].role,
                              record.wall,
                              placed.place.line,
@@ -112,7 +115,38 @@ namespace Sandglass
     std::sort(result.begin(),
               result.end(),
               [&key](const auto &a, const auto &b) { return key(a) < key(b); });
+    order_at_bends(result);
     return result;
+  }
+
+
+
+  void
+  WallTractions<2>::order_at_bends(std::vector<PlacedRecord> &sorted)
+  {
+    const auto of_one_line = [&sorted](const unsigned int i,
+                                       const unsigned int j) {
+      return j < sorted.size() &&
+             sorted[i].record.wall == sorted[j].record.wall &&
+             sorted[i].place.line == sorted[j].place.line;
+    };
+    // How far the faces of record i are from the direction to or from j.
+    const auto deviation = [&sorted](const unsigned int i,
+                                     const unsigned int j) {
+      return std::abs(sorted[i].record.normal *
+                      (sorted[i].record.position - sorted[j].record.position));
+    };
+    for (unsigned int i = 0; i + 1 < sorted.size(); ++i)
+      {
+        if (!of_one_line(i, i + 1) ||
+            sorted[i].record.vertex != sorted[i + 1].record.vertex)
+          continue;
+        const bool has_before = i > 0 && of_one_line(i, i - 1);
+        if (has_before ? deviation(i, i - 1) > deviation(i + 1, i - 1) :
+                         of_one_line(i, i + 2) &&
+                           deviation(i, i + 2) < deviation(i + 1, i + 2))
+          std::swap(sorted[i], sorted[i + 1]);
+      }
   }
 
 
@@ -120,11 +154,11 @@ namespace Sandglass
   std::vector<WallTraction>
   WallTractions<2>::at_rest(const WallRecords &records) const
   {
-    std::vector<WallTraction> tractions;
-    for (const PlacedRecord &placed : collect(records))
-      tractions.push_back(
-        make_traction(0., placed, placed.record.impulse / records.time));
-    return tractions;
+    const auto                sorted = collect(records);
+    std::vector<Tensor<1, 3>> forces;
+    for (const PlacedRecord &placed : sorted)
+      forces.push_back(placed.record.impulse / records.time);
+    return make_tractions(0., sorted, forces);
   }
 
 
@@ -136,17 +170,40 @@ namespace Sandglass
     last_impulses.resize(sorted.size());
 
     const double              duration = records.time - last_time;
-    std::vector<WallTraction> tractions;
+    std::vector<Tensor<1, 3>> forces;
     for (unsigned int i = 0; i < sorted.size(); ++i)
       {
         const Tensor<1, 3> &impulse = sorted[i].record.impulse;
-        const Tensor<1, 3>  force   = duration > 0. ?
-                                        (impulse - last_impulses[i]) / duration :
-                                        Tensor<1, 3>();
-        tractions.push_back(make_traction(time, sorted[i], force));
+        forces.push_back(duration > 0. ?
+                           (impulse - last_impulses[i]) / duration :
+                           Tensor<1, 3>());
         last_impulses[i] = impulse;
       }
     last_time = records.time;
+    return make_tractions(time, sorted, forces);
+  }
+
+
+
+  std::vector<WallTraction>
+  WallTractions<2>::make_tractions(
+    const double                     time,
+    const std::vector<PlacedRecord> &placed,
+    const std::vector<Tensor<1, 3>> &forces) const
+  {
+    std::vector<WallRecord> records;
+    for (const PlacedRecord &of_node : placed)
+      records.push_back(of_node.record);
+    const CornerShares shares(scene.mesh, scene.walls, records);
+    const auto         shared = shares.share(forces);
+
+    std::vector<WallTraction> tractions;
+    for (unsigned int i = 0; i < placed.size(); ++i)
+      {
+        PlacedRecord of_node  = placed[i];
+        of_node.record.normal = in_space(shares.normal(i));
+        tractions.push_back(make_traction(time, of_node, shared[i]));
+      }
     return tractions;
   }
 

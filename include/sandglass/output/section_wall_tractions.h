@@ -125,7 +125,15 @@ namespace Sandglass
     /// All ranks' records; sorted, on rank 0.
     std::vector<PlacedRecord>
     collect(const WallRecords &records) const;
-    /// @param force  mean of the wall's on the material, in N.
+    /// Where a wall has a bend, a node has two records: let that of the face on
+    /// which the line comes to it be the first.
+    static void
+    order_at_bends(std::vector<PlacedRecord> &sorted);
+    /// @param forces  mean ones of the records' walls on the material, in N.
+    std::vector<WallTraction>
+    make_tractions(const double                     time,
+                   const std::vector<PlacedRecord> &placed,
+                   const std::vector<Tensor<1, 3>> &forces) const;
     WallTraction
     make_traction(const double        time,
                   const PlacedRecord &placed,
