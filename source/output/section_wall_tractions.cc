@@ -7,47 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 namespace Sandglass
 {
-  namespace
-  {
-    /// tan(friction angle) of the first wall of a role; none without one.
-    std::optional<double>
-    friction_coefficient(const Scene<2> &scene, const BoundaryRole role)
-    {
-      for (const Wall<2> &wall : scene.walls)
-        if (wall.role == role)
-          return wall.friction_coefficient;
-      return {};
-    }
-
-
-
-    Janssen
-    make_janssen(const OutputParameters   &parameters,
-                 const Scene<2>           &scene,
-                 const MaterialParameters &material,
-                 const SiloMeasures<2>    &measures)
-    {
-      const double parts_of_width =
-        scene.formulation == Formulation::plane_strain ? 2. : 4.;
-      return {material.density * scene.gravity.norm(),
-              measures.wall_width / parts_of_width,
-              parameters.lateral_pressure_ratio > 0. ?
-                parameters.lateral_pressure_ratio :
-                Janssen::standard_lateral_pressure_ratio(
-                  material.internal_friction_angle),
-              friction_coefficient(scene, BoundaryRole::wall).value_or(0.)};
-    }
-  } // namespace
-
-
-
   double
   WallTraction::tangential() const
   {
@@ -63,17 +27,8 @@ namespace Sandglass
                                   const MaterialParameters &material)
     : scene(scene)
     , is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
-    , measures(scene)
-    , janssen(make_janssen(parameters, scene, material, measures))
-    , eurocode({scene.formulation,
-                measures.wall_width,
-                scene.fill_top - measures.wall_foot,
-                measures.outlet_eccentricity,
-                measures.hopper_slope,
-                material.internal_friction_angle,
-                friction_coefficient(scene, BoundaryRole::hopper)},
-               janssen)
-    , lines(scene.mesh, scene.walls, measures.bottom_centre)
+    , references(parameters, scene, material)
+    , lines(scene.mesh, scene.walls, SiloMeasures<2>(scene).bottom_centre)
     , table(parameters.directory + "/wall_traction.csv",
             wall_columns(),
             WallTraction())
@@ -222,42 +177,12 @@ namespace Sandglass
     traction.wall_name      = scene.walls[record.wall].name;
     traction.place          = placed.place;
     traction.on_material    = force / record.area;
-    traction.janssen_normal = janssen_pressure(traction);
+    traction.janssen_normal = references.janssen_normal(record);
     traction.eurocode_filling =
-      eurocode_pressure(EurocodePressures::Load::filling, traction);
+      references.eurocode(EurocodePressures::Load::filling, record);
     traction.eurocode_discharge =
-      eurocode_pressure(EurocodePressures::Load::discharge, traction);
+      references.eurocode(EurocodePressures::Load::discharge, record);
     return traction;
-  }
-
-
-
-  double
-  WallTractions<2>::janssen_pressure(const WallTraction &traction) const
-  {
-    const double y     = traction.record.position[1];
-    const double depth = scene.fill_top - y;
-    if (traction.role == BoundaryRole::wall)
-      return janssen.horizontal_pressure(depth);
-    // The bottom of the vertical part, not that below a hopper.
-    const bool is_bottom = traction.role != BoundaryRole::hopper &&
-                           y > measures.wall_foot - 1e-6 * depth;
-    return is_bottom ? janssen.vertical_pressure(depth) :
-                       std::numeric_limits<double>::quiet_NaN();
-  }
-
-
-
-  WallPressure
-  WallTractions<2>::eurocode_pressure(const EurocodePressures::Load load,
-                                      const WallTraction &traction) const
-  {
-    const double depth = scene.fill_top - traction.record.position[1];
-    return traction.role == BoundaryRole::wall ?
-             eurocode.on_wall(load, depth) :
-           traction.role == BoundaryRole::hopper ?
-             eurocode.on_hopper(load, depth) :
-             WallPressure();
   }
 
 

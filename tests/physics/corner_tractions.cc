@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "rest.h"
@@ -77,9 +79,11 @@ namespace
     }
 
     /// Where several rows belong to one node, each has to be what the next two
-    /// rows of its wall let expect.
+    /// rows of its wall let expect. Prints them, for
+    /// doc/studies/verification.py.
     void
-    expect_own_tractions(const std::vector<WallTraction> &tractions)
+    expect_own_tractions(const std::string               &when,
+                         const std::vector<WallTraction> &tractions)
     {
       std::map<unsigned int, std::vector<unsigned int>> rows_at;
       for (unsigned int i = 0; i < tractions.size(); ++i)
@@ -90,7 +94,7 @@ namespace
           {
             ++n_corners;
             for (const unsigned int row : rows)
-              expect_continuation(tractions, row);
+              expect_continuation(when, tractions, row);
           }
       EXPECT_GE(n_corners,
                 std::get<2>(GetParam()) == Bottom::steepening_hopper ? 2u : 1u);
@@ -110,7 +114,8 @@ namespace
     }
 
     void
-    expect_continuation(const std::vector<WallTraction> &tractions,
+    expect_continuation(const std::string               &when,
+                        const std::vector<WallTraction> &tractions,
                         const unsigned int               row)
     {
       const WallTraction &corner = tractions[row];
@@ -127,7 +132,17 @@ namespace
       const auto   expected =
         next.on_material +
         (s - s_next) / (s_far - s_next) * (far.on_material - next.on_material);
-      EXPECT_LT((corner.on_material - expected).norm() / expected.norm(), 0.05)
+      const double difference =
+        (corner.on_material - expected).norm() / expected.norm();
+      const double y = corner.record.position[1];
+      std::cout << when << ", " << corner.wall_name << ' '
+                << (next.record.position[1] > y + 1e-9 ? "upwards" :
+                    next.record.position[1] < y - 1e-9 ? "downwards" :
+                                                         "sideways")
+                << " from y = " << y << ": normal " << corner.normal()
+                << " Pa, continued " << -(expected * corner.record.normal)
+                << " Pa, difference " << difference << std::endl;
+      EXPECT_LT(difference, 0.05)
         << corner.wall_name << " at (" << corner.record.position << ")";
     }
   };
@@ -144,7 +159,8 @@ TEST_P(CornerTractions, ContinueThoseBesideThem)
     *fixture.scene, fixture.material, fixture.walls, parameters, log);
   const StaticState<2> state = at_rest.run();
   WallTractions<2>     observer(output, *fixture.scene, fixture.material);
-  expect_own_tractions(observer.at_rest(at_rest.view().wall_records()));
+  expect_own_tractions("at rest",
+                       observer.at_rest(at_rest.view().wall_records()));
 
   carry_to_particles(state, *fixture.scene, *fixture.stage, false);
   const FlowView &view = fixture.stage->view();
@@ -154,8 +170,9 @@ TEST_P(CornerTractions, ContinueThoseBesideThem)
       if (view.clock().time < 0.2)
         observer.since_last(view.clock().time, view.wall_records());
     }
-  expect_own_tractions(
-    observer.since_last(view.clock().time, view.wall_records()));
+  expect_own_tractions("in flow",
+                       observer.since_last(view.clock().time,
+                                           view.wall_records()));
 }
 
 

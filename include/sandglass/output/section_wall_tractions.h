@@ -5,10 +5,9 @@
 #include <sandglass/flow/flow_view.h>
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/output/csv_file.h>
-#include <sandglass/output/eurocode_pressures.h>
 #include <sandglass/output/field_series.h>
-#include <sandglass/output/janssen.h>
 #include <sandglass/output/output_parameters.h>
+#include <sandglass/output/section_reference_pressures.h>
 #include <sandglass/output/section_wall_lines.h>
 #include <sandglass/output/silo_measures.h>
 
@@ -138,20 +137,13 @@ namespace Sandglass
     make_traction(const double        time,
                   const PlacedRecord &placed,
                   const Tensor<1, 3> &force) const;
-    double
-    janssen_pressure(const WallTraction &traction) const;
-    WallPressure
-    eurocode_pressure(const EurocodePressures::Load load,
-                      const WallTraction           &traction) const;
 
-    const Scene<2>         &scene;
-    const bool              is_writer;
-    const SiloMeasures<2>   measures;
-    const Janssen           janssen;
-    const EurocodePressures eurocode;
-    const WallLines         lines;
-    CsvTable<WallTraction>  table;
-    FieldSeries             series;
+    const Scene<2>          &scene;
+    const bool               is_writer;
+    const ReferencePressures references;
+    const WallLines          lines;
+    CsvTable<WallTraction>   table;
+    FieldSeries              series;
 
     /// Sums of the flow when since_last() was called, on rank 0; in the order
     /// of the tractions.
