@@ -11,7 +11,8 @@ from study_runs import output_of
 from tables import markdown
 
 NAME = "verification"
-TESTS = {"physics": "*ManufacturedStatic*:*ManufacturedMotionTest*",
+TESTS = {"physics": "*ManufacturedStatic*:*ManufacturedMotionTest*:"
+                    "*CornerTractions*",
          "validation": "*FiniteMotion*:*EvenPressure*:*FootingLimit*"}
 # In the order of the tests' parameters
 SETTINGS = ("plane, triangles", "plane, quadrilaterals",
@@ -175,10 +176,38 @@ def footing(rows):
                      for head, values in limits.items()])
 
 
+BOTTOMS = ("flat bottom", "hopper", "steepening hopper")
+
+
+def corners(rows):
+    """Plane, triangles; the largest difference is that of all settings."""
+    shown, differences = {}, {}
+    for row in rows:
+        match = re.match(rf"(at rest|in flow), (.*): normal {NUMBER} Pa, "
+                         rf"continued {NUMBER} Pa, difference {NUMBER}",
+                         row["line"])
+        if "CornerTractions" not in row["test"] or not match:
+            continue
+        when, wall, normal, continued, difference = match.groups()
+        setting = int(row["test"].rsplit("/", 1)[1])
+        bottom = BOTTOMS[setting % len(BOTTOMS)]
+        differences.setdefault(bottom, []).append(float(difference))
+        if setting < len(BOTTOMS):
+            shown.setdefault((bottom, wall), {})[when] = [
+                f"{float(value) / 1e3:.1f}" for value in (normal, continued)]
+    return markdown(
+        ["silo", "wall", "at rest, kPa", "continued", "in flow, kPa",
+         "continued", "largest difference, all settings"],
+        [[bottom, wall, *values.get("at rest", "––"),
+          *values.get("in flow", "––"),
+          f"{100 * max(differences[bottom]):.1f} %"]
+         for (bottom, wall), values in shown.items()])
+
+
 def parts(rows):
     return {part.__name__.replace("_", "-"): part(rows)
             for part in (static, within_cells, finite, finite_stress,
-                         pressure, footing)}
+                         pressure, footing, corners)}
 
 
 def draw(_):

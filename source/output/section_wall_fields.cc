@@ -39,7 +39,8 @@ namespace Sandglass
      "over the time since the row before, because the forces at single nodes "
      "and steps are noisy. Forces are recorded as impulses: traction times the "
      "node's share of the wall, summed over all walls, floors and the axis, is "
-     "the weight less the change of momentum per time, to rounding"},
+     "the weight less the change of momentum per time, to rounding. Where walls "
+     "meet, see [theory.md](theory.md#tractions-at-corners)"},
     {"tangential_Pa",
      "tangential traction",
      "Pa",
@@ -55,7 +56,8 @@ namespace Sandglass
      "Janssen normal traction",
      "Pa",
      [](const WallTraction &t) { return t.janssen_normal; },
-     "Janssen's pressure; `nan` where it is not defined"},
+     "Janssen's pressure, see [theory.md](theory.md#reference-pressures); `nan` "
+     "where it does not apply"},
     {"side",
      nullptr,
      "",
@@ -71,8 +73,7 @@ namespace Sandglass
      "EN 1991-4 filling normal traction",
      "Pa",
      [](const WallTraction &t) { return t.eurocode_filling.normal; },
-     "symmetrical filling pressure of EN 1991-4, see "
-     "[theory.md](theory.md#reference-pressures); `nan` where it is not defined"},
+     "symmetrical filling pressure of EN 1991-4, likewise"},
     {"en_1991_4_filling_tangential_Pa",
      "EN 1991-4 filling tangential traction",
      "Pa",
@@ -166,7 +167,9 @@ namespace Sandglass
         const WallTraction &traction = tractions[i];
         for (unsigned int d = 0; d < 3; ++d)
           piece.points.push_back(traction.record.position[d]);
+        // At a bend a line goes on from the node's second record.
         if (i > 0 && traction.record.wall == tractions[i - 1].record.wall &&
+            traction.record.vertex != tractions[i - 1].record.vertex &&
             traction.place.line == tractions[i - 1].place.line)
           for (const auto end : {i - 1, i})
             piece.cells.push_back(end);

@@ -1,49 +1,17 @@
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/flow/in_space.h>
+#include <sandglass/output/section_corner_shares.h>
 #include <sandglass/output/section_wall_tractions.h>
 #include <sandglass/walls/section_tangent.h>
 
 #include <algorithm>
-#include <limits>
-#include <optional>
+#include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace Sandglass
 {
-  namespace
-  {
-    /// tan(friction angle) of the first wall of a role; none without one.
-    std::optional<double>
-    friction_coefficient(const Scene<2> &scene, const BoundaryRole role)
-    {
-      for (const Wall<2> &wall : scene.walls)
-        if (wall.role == role)
-          return wall.friction_coefficient;
-      return {};
-    }
-
-
-
-    Janssen
-    make_janssen(const OutputParameters   &parameters,
-                 const Scene<2>           &scene,
-                 const MaterialParameters &material,
-                 const SiloMeasures<2>    &measures)
-    {
-      const double parts_of_width =
-        scene.formulation == Formulation::plane_strain ? 2. : 4.;
-      return {material.density * scene.gravity.norm(),
-              measures.wall_width / parts_of_width,
-              parameters.lateral_pressure_ratio > 0. ?
-                parameters.lateral_pressure_ratio :
-                Janssen::standard_lateral_pressure_ratio(
-                  material.internal_friction_angle),
-              friction_coefficient(scene, BoundaryRole::wall).value_or(0.)};
-    }
-  } // namespace
-
-
-
   double
   WallTraction::tangential() const
   {
@@ -59,17 +27,8 @@ namespace Sandglass
                                   const MaterialParameters &material)
     : scene(scene)
     , is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
-    , measures(scene)
-    , janssen(make_janssen(parameters, scene, material, measures))
-    , eurocode({scene.formulation,
-                measures.wall_width,
-                scene.fill_top - measures.wall_foot,
-                measures.outlet_eccentricity,
-                measures.hopper_slope,
-                material.internal_friction_angle,
-                friction_coefficient(scene, BoundaryRole::hopper)},
-               janssen)
-    , lines(scene.mesh, scene.walls, measures.bottom_centre)
+    , references(parameters, scene, material)
+    , lines(scene.mesh, scene.walls, SiloMeasures<2>(scene).bottom_centre)
     , table(parameters.directory + "/wall_traction.csv",
             wall_columns(),
             WallTraction())
@@ -101,7 +60,6 @@ namespace Sandglass
 
     const auto key = [this](const PlacedRecord &placed) {
       const WallRecord &record = placed.record;
-      // Where a wall has a bend, a node has two records.
       return std::make_tuple(scene.walls[record.wall].role,
                              record.wall,
                              placed.place.line,
@@ -112,7 +70,38 @@ namespace Sandglass
     std::sort(result.begin(),
               result.end(),
               [&key](const auto &a, const auto &b) { return key(a) < key(b); });
+    order_at_bends(result);
     return result;
+  }
+
+
+
+  void
+  WallTractions<2>::order_at_bends(std::vector<PlacedRecord> &sorted)
+  {
+    const auto of_one_line = [&sorted](const unsigned int i,
+                                       const unsigned int j) {
+      return j < sorted.size() &&
+             sorted[i].record.wall == sorted[j].record.wall &&
+             sorted[i].place.line == sorted[j].place.line;
+    };
+    // How far the faces of record i are from the direction to or from j.
+    const auto deviation = [&sorted](const unsigned int i,
+                                     const unsigned int j) {
+      return std::abs(sorted[i].record.normal *
+                      (sorted[i].record.position - sorted[j].record.position));
+    };
+    for (unsigned int i = 0; i + 1 < sorted.size(); ++i)
+      {
+        if (!of_one_line(i, i + 1) ||
+            sorted[i].record.vertex != sorted[i + 1].record.vertex)
+          continue;
+        const bool has_before = i > 0 && of_one_line(i, i - 1);
+        if (has_before ? deviation(i, i - 1) > deviation(i + 1, i - 1) :
+                         of_one_line(i, i + 2) &&
+                           deviation(i, i + 2) < deviation(i + 1, i + 2))
+          std::swap(sorted[i], sorted[i + 1]);
+      }
   }
 
 
@@ -120,11 +109,11 @@ namespace Sandglass
   std::vector<WallTraction>
   WallTractions<2>::at_rest(const WallRecords &records) const
   {
-    std::vector<WallTraction> tractions;
-    for (const PlacedRecord &placed : collect(records))
-      tractions.push_back(
-        make_traction(0., placed, placed.record.impulse / records.time));
-    return tractions;
+    const auto                sorted = collect(records);
+    std::vector<Tensor<1, 3>> forces;
+    for (const PlacedRecord &placed : sorted)
+      forces.push_back(placed.record.impulse / records.time);
+    return make_tractions(0., sorted, forces);
   }
 
 
@@ -136,17 +125,40 @@ namespace Sandglass
     last_impulses.resize(sorted.size());
 
     const double              duration = records.time - last_time;
-    std::vector<WallTraction> tractions;
+    std::vector<Tensor<1, 3>> forces;
     for (unsigned int i = 0; i < sorted.size(); ++i)
       {
         const Tensor<1, 3> &impulse = sorted[i].record.impulse;
-        const Tensor<1, 3>  force   = duration > 0. ?
-                                        (impulse - last_impulses[i]) / duration :
-                                        Tensor<1, 3>();
-        tractions.push_back(make_traction(time, sorted[i], force));
+        forces.push_back(duration > 0. ?
+                           (impulse - last_impulses[i]) / duration :
+                           Tensor<1, 3>());
         last_impulses[i] = impulse;
       }
     last_time = records.time;
+    return make_tractions(time, sorted, forces);
+  }
+
+
+
+  std::vector<WallTraction>
+  WallTractions<2>::make_tractions(
+    const double                     time,
+    const std::vector<PlacedRecord> &placed,
+    const std::vector<Tensor<1, 3>> &forces) const
+  {
+    std::vector<WallRecord> records;
+    for (const PlacedRecord &of_node : placed)
+      records.push_back(of_node.record);
+    const CornerShares shares(scene.mesh, scene.walls, records);
+    const auto         shared = shares.share(forces);
+
+    std::vector<WallTraction> tractions;
+    for (unsigned int i = 0; i < placed.size(); ++i)
+      {
+        PlacedRecord of_node  = placed[i];
+        of_node.record.normal = in_space(shares.normal(i));
+        tractions.push_back(make_traction(time, of_node, shared[i]));
+      }
     return tractions;
   }
 
@@ -165,42 +177,12 @@ namespace Sandglass
     traction.wall_name      = scene.walls[record.wall].name;
     traction.place          = placed.place;
     traction.on_material    = force / record.area;
-    traction.janssen_normal = janssen_pressure(traction);
+    traction.janssen_normal = references.janssen_normal(record);
     traction.eurocode_filling =
-      eurocode_pressure(EurocodePressures::Load::filling, traction);
+      references.eurocode(EurocodePressures::Load::filling, record);
     traction.eurocode_discharge =
-      eurocode_pressure(EurocodePressures::Load::discharge, traction);
+      references.eurocode(EurocodePressures::Load::discharge, record);
     return traction;
-  }
-
-
-
-  double
-  WallTractions<2>::janssen_pressure(const WallTraction &traction) const
-  {
-    const double y     = traction.record.position[1];
-    const double depth = scene.fill_top - y;
-    if (traction.role == BoundaryRole::wall)
-      return janssen.horizontal_pressure(depth);
-    // The bottom of the vertical part, not that below a hopper.
-    const bool is_bottom = traction.role != BoundaryRole::hopper &&
-                           y > measures.wall_foot - 1e-6 * depth;
-    return is_bottom ? janssen.vertical_pressure(depth) :
-                       std::numeric_limits<double>::quiet_NaN();
-  }
-
-
-
-  WallPressure
-  WallTractions<2>::eurocode_pressure(const EurocodePressures::Load load,
-                                      const WallTraction &traction) const
-  {
-    const double depth = scene.fill_top - traction.record.position[1];
-    return traction.role == BoundaryRole::wall ?
-             eurocode.on_wall(load, depth) :
-           traction.role == BoundaryRole::hopper ?
-             eurocode.on_hopper(load, depth) :
-             WallPressure();
   }
 
 

@@ -5,10 +5,9 @@
 #include <sandglass/flow/flow_view.h>
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/output/csv_file.h>
-#include <sandglass/output/eurocode_pressures.h>
 #include <sandglass/output/field_series.h>
-#include <sandglass/output/janssen.h>
 #include <sandglass/output/output_parameters.h>
+#include <sandglass/output/section_reference_pressures.h>
 #include <sandglass/output/section_wall_lines.h>
 #include <sandglass/output/silo_measures.h>
 
@@ -125,25 +124,26 @@ namespace Sandglass
     /// All ranks' records; sorted, on rank 0.
     std::vector<PlacedRecord>
     collect(const WallRecords &records) const;
-    /// @param force  mean of the wall's on the material, in N.
+    /// Where a wall has a bend, a node has two records: let that of the face on
+    /// which the line comes to it be the first.
+    static void
+    order_at_bends(std::vector<PlacedRecord> &sorted);
+    /// @param forces  mean ones of the records' walls on the material, in N.
+    std::vector<WallTraction>
+    make_tractions(const double                     time,
+                   const std::vector<PlacedRecord> &placed,
+                   const std::vector<Tensor<1, 3>> &forces) const;
     WallTraction
     make_traction(const double        time,
                   const PlacedRecord &placed,
                   const Tensor<1, 3> &force) const;
-    double
-    janssen_pressure(const WallTraction &traction) const;
-    WallPressure
-    eurocode_pressure(const EurocodePressures::Load load,
-                      const WallTraction           &traction) const;
 
-    const Scene<2>         &scene;
-    const bool              is_writer;
-    const SiloMeasures<2>   measures;
-    const Janssen           janssen;
-    const EurocodePressures eurocode;
-    const WallLines         lines;
-    CsvTable<WallTraction>  table;
-    FieldSeries             series;
+    const Scene<2>          &scene;
+    const bool               is_writer;
+    const ReferencePressures references;
+    const WallLines          lines;
+    CsvTable<WallTraction>   table;
+    FieldSeries              series;
 
     /// Sums of the flow when since_last() was called, on rank 0; in the order
     /// of the tractions.

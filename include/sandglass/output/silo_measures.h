@@ -18,22 +18,9 @@ namespace Sandglass
     /// Width or diameter of the outlet; 0 without one.
     double outlet_width;
 
-    /// Width or diameter between the vertical walls; 0 without such walls.
-    double wall_width;
-
-    /// Lowest point of the vertical walls, in m.
-    double wall_foot;
-
     /// Middle of the outlet or, without an outlet, of the silo's bottom. If
     /// there is an axis, the point is on it.
     Point<dim> bottom_centre;
-
-    /// Distance between the middles of outlet and walls; 0 without either.
-    double outlet_eccentricity;
-
-    /// Tangent of the angle between hopper and vertical; NaN unless the hopper
-    /// has this angle all over and begins at the foot of the vertical walls.
-    double hopper_slope;
   };
 
   template <>
