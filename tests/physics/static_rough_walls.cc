@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "static_fixture.h"
@@ -27,3 +28,60 @@ TEST(StaticRoughWalls, FindTheStateAtRestInTheFirstLoadStep)
   std::cout << fixture.log_text.str();
   EXPECT_NEAR(fixture.lift() / fixture.weight(), 1., 1e-9);
 }
+
+
+
+namespace
+{
+  /// A silo with a hopper whose walls are rougher than its material, at rest.
+  void
+  run_rough_hopper(StaticFixture     &fixture,
+                   const CellType     cell_type,
+                   const unsigned int newton_iterations)
+  {
+    fixture.silo.cell_type                = cell_type;
+    fixture.silo.half_width               = 0.5;
+    fixture.silo.wall_height              = 2.;
+    fixture.silo.hopper_height            = 0.5;
+    fixture.silo.element_size             = 0.1;
+    fixture.silo.outlet_is_open           = false;
+    fixture.walls.friction_angle          = 28.;
+    fixture.parameters.n_load_steps       = 1;
+    fixture.parameters.maximum_iterations = newton_iterations;
+    fixture.run_silo();
+    std::cout << fixture.log_text.str();
+  }
+
+  class StaticMethods : public testing::TestWithParam<CellType>
+  {};
+} // namespace
+
+
+
+// Newton's method alone, and relaxation from which it goes on, solve the same
+// equations.
+TEST_P(StaticMethods, HaveTheSameAnswer)
+{
+  StaticFixture newton, both;
+  run_rough_hopper(newton, GetParam(), 100);
+  run_rough_hopper(both, GetParam(), 0);
+  EXPECT_EQ(newton.state.effort.n_relaxation_steps, 0u);
+  EXPECT_GT(both.state.effort.n_relaxation_steps, 0u);
+
+  double scale = 0., difference = 0.;
+  for (unsigned int i = 0; i < newton.state.wall_forces.size(); ++i)
+    {
+      const auto &force = newton.state.wall_forces[i].force;
+      scale             = std::max(scale, force.norm());
+      difference =
+        std::max(difference, (force - both.state.wall_forces[i].force).norm());
+    }
+  std::cout << "largest difference of wall forces " << difference / scale
+            << " of the largest one" << std::endl;
+  EXPECT_LT(difference, 1e-6 * scale);
+}
+
+INSTANTIATE_TEST_SUITE_P(CellTypes,
+                         StaticMethods,
+                         testing::Values(CellType::triangle,
+                                         CellType::quadrilateral));

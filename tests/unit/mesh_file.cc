@@ -1,5 +1,6 @@
 #include "mesh_file.h"
 
+#include <sandglass/output/section_vertical_part.h>
 #include <sandglass/output/silo_measures.h>
 #include <sandglass/walls/boundary_nodes.h>
 
@@ -127,11 +128,13 @@ TEST(MeshFiles, LeftHalvesMeasureAsRightOnes)
 {
   MeshFile file;
   file.move([](auto &node) { node[0] = 2. - node[0]; });
-  const Mesh<2>         mesh = read(file);
-  const SiloMeasures<2> left(scene_of(mesh)), right(scene_of(read(MeshFile())));
-  EXPECT_NEAR(left.wall_width, right.wall_width, 1e-12);
+  const Scene<2>        left_scene  = scene_of(read(file));
+  const Scene<2>        right_scene = scene_of(read(MeshFile()));
+  const SiloMeasures<2> left(left_scene), right(right_scene);
   EXPECT_NEAR(left.outlet_width, right.outlet_width, 1e-12);
-  EXPECT_NEAR(left.wall_foot, right.wall_foot, 1e-12);
+  const VerticalPart left_part(left_scene), right_part(right_scene);
+  EXPECT_NEAR(left_part.width, right_part.width, 1e-12);
+  EXPECT_NEAR(left_part.foot, right_part.foot, 1e-12);
 }
 
 

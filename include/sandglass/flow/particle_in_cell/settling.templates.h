@@ -4,6 +4,7 @@
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Sandglass
 {
@@ -12,8 +13,11 @@ namespace Sandglass
   ParticleStage<Layout>::settle()
   {
     // A hundred-thousandth of the speed after a free fall through the silo.
-    constexpr double        slow       = 1e-5;
-    constexpr unsigned long most_steps = 5000;
+    constexpr double       slow       = 1e-5;
+    constexpr unsigned int most_steps = 5000;
+    // Loose particles at the surface never rest: they fall, and the stops would
+    // lift them step by step.
+    constexpr unsigned int most_idle_stops = 3;
 
     const double goal =
       slow * std::sqrt(2. * scene.gravity.norm() * fall_height(scene));
@@ -21,7 +25,9 @@ namespace Sandglass
     const StepControl control_before = control;
     Settling          result;
     double            kinetic_energy = 0.;
-    while (result.n_steps < most_steps)
+    double            lowest_maximum = std::numeric_limits<double>::infinity();
+    unsigned int      n_idle_stops   = 0;
+    while (result.n_steps < most_steps && n_idle_stops < most_idle_stops)
       {
         time.time = clock_before.time;
         this->step();
@@ -32,10 +38,24 @@ namespace Sandglass
         // The second step tells whether the first has set anything in motion.
         if (result.n_steps > 1 && totals.largest_speed < goal)
           break;
-        const bool has_passed_maximum = totals.kinetic_energy < kinetic_energy;
-        if (has_passed_maximum)
-          stop_particles();
-        kinetic_energy = has_passed_maximum ? 0. : totals.kinetic_energy;
+        if (totals.kinetic_energy >= kinetic_energy)
+          {
+            kinetic_energy = totals.kinetic_energy;
+            continue;
+          }
+        fprintf(stderr,
+                "step %u peak %g speed %g\n",
+                result.n_steps,
+                kinetic_energy,
+                totals.largest_speed);
+        ++n_idle_stops;
+        if (kinetic_energy < 0.5 * lowest_maximum)
+          {
+            lowest_maximum = kinetic_energy;
+            n_idle_stops   = 0;
+          }
+        kinetic_energy = 0.;
+        stop_particles();
       }
     stop_particles();
 
