@@ -43,11 +43,6 @@ namespace Sandglass
             kinetic_energy = totals.kinetic_energy;
             continue;
           }
-        fprintf(stderr,
-                "step %u peak %g speed %g\n",
-                result.n_steps,
-                kinetic_energy,
-                totals.largest_speed);
         ++n_idle_stops;
         if (kinetic_energy < 0.5 * lowest_maximum)
           {
