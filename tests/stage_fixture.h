@@ -251,6 +251,9 @@ private:
     {
       if (part != Sandglass::StepPart::done)
         return;
+      // A stage that has settled starts anew.
+      if (stage->view().clock().step == 1)
+        last = 0.;
       constexpr double rounding = 1e-12;
       const double     now      = stage->dissipation();
       AssertThrow(now >= (1. - rounding) * last,

@@ -181,14 +181,15 @@ TEST(StaticStage, ReturnsResultsInTheOrderOfTheScenesCells)
 
 
 
-// Where Newton is given too few iterations, the load step is cut, and in the
-// end the user is told where it stopped.
+// Where Newton's method and relaxation are given too few steps, the load step
+// is cut, and in the end the user is told where it stopped.
 TEST(StaticStage, SaysWhereItStopped)
 {
   StaticFixture fixture;
-  fixture.silo.element_size             = 0.2;
-  fixture.parameters.maximum_iterations = 1;
-  fixture.parameters.smallest_load_step = 0.04;
+  fixture.silo.element_size                   = 0.2;
+  fixture.parameters.maximum_iterations       = 1;
+  fixture.parameters.maximum_relaxation_steps = 2;
+  fixture.parameters.smallest_load_step       = 0.04;
   try
     {
       fixture.run_silo();
