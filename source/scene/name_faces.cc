@@ -230,18 +230,17 @@ namespace Sandglass
                 between.push_back(face);
             }
         if (!between.empty())
-          refuse("the border between 'material' and 'fall_region' has no "
-                 "name; the mesh has the physical lines " +
-                   list_of(all_names),
+          refuse("the border between 'material' and 'fall_region' has no name",
                  between,
                  "the names outlet and, with empty cells above the material, "
-                 "top");
+                 "top; the mesh's names are " +
+                   list_of(all_names));
         if (!of_boundary.empty())
           refuse("the mesh's boundary has no name" +
-                   hanging_vertex(of_boundary) +
-                   "; the mesh has the physical lines " + list_of(all_names),
+                   hanging_vertex(of_boundary),
                  of_boundary,
-                 allowed_names);
+                 allowed_names +
+                   ("; the mesh's names are " + list_of(all_names)));
       }
 
       /// What to say where a vertex lies on such a face, between its ends.
