@@ -180,24 +180,26 @@ BOTTOMS = ("flat bottom", "hopper", "steepening hopper")
 
 
 def corners(rows):
-    """Plane, triangles; the largest difference is that of all settings."""
+    """Pressures; plane, triangles. The largest difference is that of all
+    settings."""
     shown, differences = {}, {}
     for row in rows:
         match = re.match(rf"(at rest|in flow), (.*): normal {NUMBER} Pa, "
-                         rf"continued {NUMBER} Pa, difference {NUMBER}",
+                         rf"continued {NUMBER} Pa, difference {NUMBER}, "
+                         rf"recorded {NUMBER} Pa",
                          row["line"])
         if "CornerTractions" not in row["test"] or not match:
             continue
-        when, wall, normal, continued, difference = match.groups()
+        when, wall, share, _, difference, recorded = match.groups()
         setting = int(row["test"].rsplit("/", 1)[1])
         bottom = BOTTOMS[setting % len(BOTTOMS)]
         differences.setdefault(bottom, []).append(float(difference))
         if setting < len(BOTTOMS):
             shown.setdefault((bottom, wall), {})[when] = [
-                f"{float(value) / 1e3:.1f}" for value in (normal, continued)]
+                f"{float(value) / 1e3 + 0.:.1f}" for value in (recorded, share)]
     return markdown(
-        ["silo", "wall", "at rest, kPa", "continued", "in flow, kPa",
-         "continued", "largest difference, all settings"],
+        ["silo", "wall", "recorded at rest, kPa", "share",
+         "recorded in flow, kPa", "share", "largest difference"],
         [[bottom, wall, *values.get("at rest", "––"),
           *values.get("in flow", "––"),
           f"{100 * max(differences[bottom]):.1f} %"]

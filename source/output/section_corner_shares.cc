@@ -223,24 +223,32 @@ namespace Sandglass
                           const std::vector<Tensor<1, 3>> &forces) const
   {
     Tensor<1, 2> missing;
-    double       yielding = 0.; // in N
+    double       yielding = 0., along_axis = 0.; // in N
+    const auto   direction = [](const Share &share) {
+      return share.traction / share.traction.norm();
+    };
     for (const Share &share : shares)
       {
         const double area = records[share.record].area;
         missing += in_section(forces[share.record]) - area * share.traction;
         yielding += area * share.yielding;
+        if (corner.is_on_axis() && share.yielding > 0.)
+          along_axis +=
+            area * share.yielding * (direction(share) * corner.axis);
       }
-    if (corner.is_on_axis())
-      missing = (missing * corner.axis) * corner.axis;
-    if (missing.norm() == 0.)
-      return {shares, 0.};
-    if (yielding == 0.)
+    if (yielding == 0. || (corner.is_on_axis() && along_axis == 0.))
       return {shares, std::numeric_limits<double>::infinity()};
 
+    // On the axis one component tells how much, not in which direction.
+    const double of_axis =
+      corner.is_on_axis() ? missing * corner.axis / along_axis : 0.;
     const Tensor<1, 2> relative = missing / yielding;
     for (Share &share : shares)
-      share.traction += share.yielding * relative;
-    return {shares, relative.norm()};
+      if (share.yielding > 0.)
+        share.traction +=
+          share.yielding *
+          (corner.is_on_axis() ? of_axis * direction(share) : relative);
+    return {shares, corner.is_on_axis() ? std::abs(of_axis) : relative.norm()};
   }
 
 

@@ -337,6 +337,31 @@ TEST(CornerShares, tip_of_an_insert_on_the_axis)
 
 
 
+// There only one component of the force is known: friction stays in proportion.
+TEST(CornerShares, friction_at_the_tip_of_an_insert)
+{
+  Walls          walls;
+  const Point<2> tip(0., 0.8), foot(0.2, 0.45);
+  walls.add(
+    "roof", tip, foot, 6, linear(tip, outward(tip, foot), 9e3, -2e3, 0.3));
+  walls.mesh.faces.push_back(
+    {{{walls.add_vertex(tip), walls.add_vertex(Point<2>(0., 1.))}},
+     BoundaryRole::axis});
+  const unsigned int at_tip = walls.records_at(tip).at(0);
+  walls.forces[at_tip] = Tensor<1, 3>({0., 2. * walls.forces[at_tip][1], 0.});
+  const auto         found  = walls.shared();
+  const Tensor<1, 2> normal = outward(tip, foot);
+  for (const auto &force : found)
+    {
+      const Tensor<1, 2> in_plane({force[0], force[1]});
+      const double       pressure = -(in_plane * normal);
+      EXPECT_NEAR((in_plane + pressure * normal).norm() / pressure, 0.3, 1e-12);
+    }
+  EXPECT_NEAR(sum(found)[1], sum(walls.forces)[1], 1e-9);
+}
+
+
+
 // A wall below the outlet has no record at the lip, where another wall's ends.
 TEST(CornerShares, edges_that_hold_no_material)
 {
