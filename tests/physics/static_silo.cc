@@ -200,6 +200,6 @@ TEST(StaticStage, SaysWhereItStopped)
       const std::string message = error.what();
       EXPECT_NE(message.find("load of 0.05 of the weight"), std::string::npos)
         << message;
-      EXPECT_NE(message.find("Maximum iterations"), std::string::npos);
+      EXPECT_NE(message.find("Maximum relaxation steps"), std::string::npos);
     }
 }
