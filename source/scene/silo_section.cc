@@ -1,3 +1,4 @@
+#include <sandglass/scene/hopper_slope.h>
 #include <sandglass/scene/mesh_size.h>
 #include <sandglass/scene/silo_section.h>
 #include <sandglass/walls/boundary_role.h>
@@ -185,9 +186,9 @@ namespace Sandglass
         const int outlet    = line(left_lip, right_lip, BoundaryRole::outlet);
 
         const unsigned int n_columns =
-          parameters.hopper_height > 0. ?
+          hopper_is_steep(parameters) || parameters.wall_height == 0. ?
             add_hopper_blocks(left_lip, right_lip, outlet) :
-            add_flat_blocks(left_lip, right_lip, outlet);
+            add_columns(left_lip, right_lip, outlet);
 
         if (!parameters.outlet_is_open)
           return;
@@ -247,20 +248,22 @@ namespace Sandglass
         return n_width;
       }
 
-      /// A block above the outlet, one beside it on each floor; returns how
-      /// many cells wide the outlet is.
+      /// A block above the outlet, one beside it on each floor or shallow
+      /// hopper's wall; returns how many cells wide the outlet is.
       unsigned int
-      add_flat_blocks(const int left_lip, const int right_lip, const int outlet)
+      add_columns(const int left_lip, const int right_lip, const int outlet)
       {
+        const double       e        = parameters.hopper_height;
         const double       h        = parameters.fill_height();
         const unsigned int n_outlet = n_cells_along(outlet_right - outlet_left);
-        const unsigned int n_height = n_cells_along(parameters.wall_height);
+        const unsigned int n_height =
+          n_cells_along((parameters.wall_height + h) / 2.);
 
         // Above the outlet's ends.
         const int left_top  = point(outlet_left, h);
         const int right_top = point(outlet_right, h);
-        const int wall_foot = point(right_end, 0.);
-        const int left_foot = point(left_end, 0.);
+        const int wall_foot = point(right_end, e);
+        const int left_foot = point(left_end, e);
         const int right     = right_lip == wall_foot ?
                                 line(right_lip, right_top, BoundaryRole::wall) :
                                 inner_line(right_lip, right_top);
@@ -278,22 +281,22 @@ namespace Sandglass
 
         const int wall_top = point(right_end, h);
         if (right_lip != wall_foot)
-          block(line(right_lip, wall_foot, BoundaryRole::floor),
+          block(line(right_lip, wall_foot, bottom_role),
                 line(wall_foot, wall_top, BoundaryRole::wall),
                 line(wall_top, right_top, BoundaryRole::top),
                 -right,
-                n_cells_along(right_end - outlet_right),
+                n_cells_along(std::hypot(e, right_end - outlet_right)),
                 n_height,
                 material_group);
         if (is_half || left_lip == left_foot)
           return n_outlet;
 
         const int left_wall_top = point(left_end, h);
-        block(line(left_foot, left_lip, BoundaryRole::floor),
+        block(line(left_foot, left_lip, bottom_role),
               -left,
               line(left_top, left_wall_top, BoundaryRole::top),
               line(left_wall_top, left_foot, BoundaryRole::wall),
-              n_cells_along(outlet_left - left_end),
+              n_cells_along(std::hypot(e, outlet_left - left_end)),
               n_height,
               material_group);
         return n_outlet;

@@ -201,6 +201,44 @@ TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
 
 
 
+// Also where it slopes by little or is eccentric.
+TEST(Hopper, QuadrilateralsHaveNoAcuteCorners)
+{
+  StageFixture::ClearedParameters cleared;
+  SceneParameters                 silo;
+  silo.cell_type = CellType::quadrilateral;
+  for (const bool is_half : {true, false})
+    for (const double height : {0.1014, 0.3, 0.5, 0.65, 1.1})
+      {
+        silo.is_symmetric        = is_half;
+        silo.outlet_eccentricity = is_half ? 0. : 0.1;
+        silo.hopper_height       = height;
+        const Mesh<2> mesh       = mesh_silo<2>(silo);
+        double        largest    = 0.;
+        for (const auto &cell : mesh.cells)
+          for (unsigned int v = 0; v < 4; ++v)
+            {
+              // deal.II's order: 0 1 in the first row, 2 3 in the second
+              constexpr unsigned int neighbors[4][2] = {{1, 2},
+                                                        {0, 3},
+                                                        {0, 3},
+                                                        {1, 2}};
+              const Point<2>         corner = mesh.vertices[cell.vertices[v]];
+              const auto             a =
+                mesh.vertices[cell.vertices[neighbors[v][0]]] - corner;
+              const auto b =
+                mesh.vertices[cell.vertices[neighbors[v][1]]] - corner;
+              largest =
+                std::max(largest, std::abs(a * b) / (a.norm() * b.norm()));
+            }
+        // At 45 degrees either mesh has corners like this.
+        EXPECT_LT(largest, std::cos(40. / 180. * numbers::PI))
+          << height << ' ' << is_half;
+      }
+}
+
+
+
 namespace
 {
   /// Mean length in m of the edges between two distances from a point.
