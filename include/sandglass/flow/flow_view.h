@@ -32,9 +32,8 @@ namespace Sandglass
     double mass_removed = 0.; ///< left the grid by falling, in kg
     double mass_lost    = 0.; ///< left the grid otherwise, in kg
 
-    double kinetic_energy = 0.; ///< in J
-    /// Of the material and of the springs of sticking friction, in J.
-    double elastic_energy    = 0.;
+    double kinetic_energy    = 0.; ///< in J
+    double elastic_energy    = 0.; ///< of the material, in J
     double dissipated_energy = 0.; ///< by plastic flow and wall friction, in J
     double wall_work = 0.; ///< done by moving walls on the material, in J
 

@@ -257,7 +257,6 @@ namespace Sandglass
       return sum_up<Setting>(cloud.blocks(),
                              stress_update.law,
                              removed,
-                             contact.friction_energy(),
                              this->dissipation(),
                              contact.wall_work(),
                              particle_steps,

@@ -68,15 +68,13 @@ namespace Sandglass
   /**
    * The totals of all ranks. Collective.
    *
-   * @param removed,friction_energy,dissipated_energy,wall_work,particle_steps
-   *        of this rank.
+   * @param removed,dissipated_energy,wall_work,particle_steps  of this rank.
    */
   template <typename Setting>
   FlowTotals
   sum_up(const ParticleBlocks<typename Setting::Layout> &blocks,
          const typename Setting::Law                    &law,
          const RemovedMass                              &removed,
-         const double                                    friction_energy,
          const double                                    dissipated_energy,
          const double                                    wall_work,
          const unsigned long                             particle_steps,
@@ -97,7 +95,6 @@ namespace Sandglass
     std::array<double, n + 4> sums;
     for (unsigned int i = 0; i < n; ++i)
       sums[i] = sum(of_lanes.sums[i]);
-    sums[Totals::elastic_energy] += friction_energy;
     sums[n]     = removed.discharged;
     sums[n + 1] = removed.lost;
     sums[n + 2] = dissipated_energy;
