@@ -218,16 +218,9 @@ TEST(Hopper, QuadrilateralsHaveNoAcuteCorners)
         for (const auto &cell : mesh.cells)
           for (unsigned int v = 0; v < 4; ++v)
             {
-              // deal.II's order: 0 1 in the first row, 2 3 in the second
-              constexpr unsigned int neighbors[4][2] = {{1, 2},
-                                                        {0, 3},
-                                                        {0, 3},
-                                                        {1, 2}};
-              const Point<2>         corner = mesh.vertices[cell.vertices[v]];
-              const auto             a =
-                mesh.vertices[cell.vertices[neighbors[v][0]]] - corner;
-              const auto b =
-                mesh.vertices[cell.vertices[neighbors[v][1]]] - corner;
+              const Point<2> corner = mesh.vertices[cell.vertices[v]];
+              const auto a = mesh.vertices[cell.vertices[(v + 1) % 4]] - corner;
+              const auto b = mesh.vertices[cell.vertices[(v + 3) % 4]] - corner;
               largest =
                 std::max(largest, std::abs(a * b) / (a.norm() * b.norm()));
             }
