@@ -6,11 +6,14 @@
 
 namespace Sandglass
 {
-  /// The volumetric rate that a cell's stressed particles take on.
-  struct AveragedRate
+  /// The volumetric rates that a cell's particles take on, in 1/s, by their
+  /// densities in kg/m^3. Less dense particles keep their own.
+  struct AveragedRates
   {
-    double rate;             ///< in 1/s
-    double smallest_density; ///< of stressed particles, in kg/m^3
+    double stressed;
+    double smallest_stressed_density;
+    double loosened;
+    double smallest_loosened_density;
   };
 
   /**
@@ -18,8 +21,8 @@ namespace Sandglass
    * in the cell. Where all of them deform alike, this is found once, the law's
    * prediction included.
    *
-   * @tparam is_averaged  whether stressed particles take on an AveragedRate
-   *                      instead of their own volumetric rate.
+   * @tparam is_averaged  whether particles take on AveragedRates instead of
+   *                      their own volumetric rate.
    */
   template <typename Setting, bool is_averaged>
   class CellDeformation
@@ -47,7 +50,7 @@ namespace Sandglass
     CellDeformation(const Shape            &shape,
                     const OfNodes          &velocities,
                     const RateChange       &change,
-                    const AveragedRate     &averaged,
+                    const AveragedRates    &averaged,
                     const Law              &law,
                     const StressIntegration integration,
                     const double            time_step)
@@ -61,13 +64,14 @@ namespace Sandglass
     {
       if constexpr (Setting::has_uniform_strain)
         {
-          auto increment = increment_of(Vector<double>(), 0.);
-          uniform.own    = deformation(increment);
+          const auto increment = increment_of(Vector<double>(), 0.);
+          uniform.own          = deformation(increment);
           if constexpr (is_averaged)
             {
-              increment.add_volume_change(time_step * averaged.rate -
-                                          increment.volume_change());
-              uniform.with_average = deformation(increment);
+              uniform.stressed =
+                deformation(with_rate(increment, averaged.stressed));
+              uniform.loosened =
+                deformation(with_rate(increment, averaged.loosened));
             }
         }
     }
@@ -94,11 +98,15 @@ namespace Sandglass
             hoop_rate = velocity[0] / state.location[0];
           auto increment = increment_of(state.reference, hoop_rate);
           if constexpr (is_averaged)
-            increment.add_volume_change(
-              select(is_stressed(state),
-                     Lanes(time_step * averaged.rate) -
-                       increment.volume_change(),
-                     Lanes(0.)));
+            {
+              const Lanes own = increment.volume_change();
+              increment.add_volume_change(
+                select(is_stressed(state),
+                       Lanes(time_step * averaged.stressed) - own,
+                       select(is_loosened(state),
+                              Lanes(time_step * averaged.loosened) - own,
+                              Lanes(0.))));
+            }
           return deformation(increment);
         }
     }
@@ -154,27 +162,48 @@ namespace Sandglass
               Number(1.) / increment.jacobian};
     }
 
+    /// The same increment with another volumetric rate, in 1/s.
+    Increment<double>
+    with_rate(Increment<double> increment, const double rate) const
+    {
+      increment.add_volume_change(time_step * rate - increment.volume_change());
+      return increment;
+    }
+
     auto
     is_stressed(const State &state) const
     {
-      return state.density >= Lanes(averaged.smallest_density);
+      return state.density >= Lanes(averaged.smallest_stressed_density);
     }
 
-    /// One of the two uniform ones, by whether each particle is stressed. They
-    /// turn alike.
+    /// Or denser than loosened.
+    auto
+    is_loosened(const State &state) const
+    {
+      return state.density >= Lanes(averaged.smallest_loosened_density);
+    }
+
+    /// One of the uniform ones, by each particle's density. They turn alike.
     auto
     choose(const State &state) const
     {
-      const auto         takes_average = is_stressed(state);
-      const auto        &averaged_one  = uniform.with_average;
+      const auto stressed   = is_stressed(state);
+      const auto loosened   = is_loosened(state);
+      const auto by_density = [&](const double of_stressed,
+                                  const double of_loosened,
+                                  const double own) {
+        return select(stressed,
+                      Lanes(of_stressed),
+                      select(loosened, Lanes(of_loosened), Lanes(own)));
+      };
       Deformation<Lanes> chosen;
       for (int i = 0; i < chosen.prediction.size(); ++i)
-        chosen.prediction[i] = select(takes_average,
-                                      Lanes(averaged_one.prediction[i]),
-                                      Lanes(uniform.own.prediction[i]));
-      chosen.inverse_jacobian = select(takes_average,
-                                       Lanes(averaged_one.inverse_jacobian),
-                                       Lanes(uniform.own.inverse_jacobian));
+        chosen.prediction[i] = by_density(uniform.stressed.prediction[i],
+                                          uniform.loosened.prediction[i],
+                                          uniform.own.prediction[i]);
+      chosen.inverse_jacobian = by_density(uniform.stressed.inverse_jacobian,
+                                           uniform.loosened.inverse_jacobian,
+                                           uniform.own.inverse_jacobian);
       return ParticleDeformation<decltype(chosen.prediction),
                                  decltype(uniform.own.rotation),
                                  Lanes>{chosen.prediction,
@@ -185,19 +214,21 @@ namespace Sandglass
     struct Nothing
     {};
 
-    /// What all particles of a cell have alike.
+    /// What all particles of a cell have alike, by their density.
     struct Uniform
     {
+      using Averaged =
+        std::conditional_t<is_averaged, Deformation<double>, Nothing>;
+
+      Averaged            stressed;
+      Averaged            loosened;
       Deformation<double> own;
-      /// With the averaged rate.
-      std::conditional_t<is_averaged, Deformation<double>, Nothing>
-        with_average;
     };
 
     const Shape            &shape;
     const OfNodes          &velocities;
     const RateChange        change;
-    const AveragedRate      averaged;
+    const AveragedRates     averaged;
     const Law              &law;
     const StressIntegration integration;
     const double            time_step;

@@ -15,8 +15,7 @@ namespace Sandglass
    * velocity (step 6), stress and density (step 8) and position (step 9) of
    * each particle, and its share of the next step's sums (steps 2 to 4).
    *
-   * @tparam is_averaged  whether stressed particles take their cell's averaged
-   *                      change of volume.
+   * @tparam is_averaged  whether particles take averaged changes of volume.
    */
   template <typename Setting, bool is_averaged>
   class ParticlePass
@@ -93,12 +92,14 @@ namespace Sandglass
       const Shape &shape = geometry.shape(cell);
 
       typename Deformation::RateChange change;
-      AveragedRate                     averaged{};
+      AveragedRates                    averaged{};
       if constexpr (is_averaged)
         {
           change   = volumetric_average.rate_change(cell);
           averaged = {volumetric_average.rate(cell),
-                      volumetric_average.smallest_density};
+                      volumetric_average.smallest_density,
+                      volumetric_average.rate_of_loosened(cell),
+                      sums.cells.smallest_density};
         }
       else if constexpr (!Setting::has_uniform_strain)
         change = sums.rate_change(cell, velocities);

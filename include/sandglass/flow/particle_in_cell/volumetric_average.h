@@ -21,8 +21,15 @@ namespace Sandglass
    * eigenvalues between 0 and 1, so the critical time step does not become
    * shorter.
    *
-   * Particles less dense than `smallest_density` are separated; they don't
-   * count, and keep their own rate.
+   * Particles less dense than `smallest_density` carry no stress and don't
+   * count. Those that are hardly less dense have only just loosened and will
+   * resist again soon. They take an average of their own, over all particles
+   * that are not separated. With their cell's rate they would loosen where
+   * that errs to one side and become dense where it errs to the other, so that
+   * the stressed ones would be those whose cells seem to contract, and their
+   * pressure would rise as if the cells locked. To let the stressed ones count
+   * the loosened ones too would make the stiffness unsymmetric, and shake
+   * loose material (doc/tried.md).
    */
   template <typename Setting>
   class VolumetricAverage
@@ -58,7 +65,8 @@ namespace Sandglass
      * Find the averages for a velocity field with its ghosts. Collective; does
      * nothing if it is off.
      *
-     * @param sums  of the particles' present positions, as `cells` are.
+     * @param sums  of the particles' present positions, as `cells` are. What
+     *              counts as stiff there is not separated.
      */
     SANDGLASS_OWN_FUNCTION void
     compute(const Blocks             &blocks,
@@ -69,29 +77,23 @@ namespace Sandglass
         return;
       nodal->start_sum();
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
-        const auto  &nodes      = geometry.nodes(cell);
-        const auto   velocities = gather(velocity, nodes);
-        const auto  &of_cell    = (*cells)[cell];
-        const double volume =
-          of_cell.values[VolumetricSums<Setting, double>::volume];
-        double rate_times_volume =
-          of_cell.rate_times_volume(geometry.shape(cell), velocities);
+        const auto &nodes      = geometry.nodes(cell);
+        const auto  velocities = gather(velocity, nodes);
         if constexpr (!Setting::has_uniform_strain)
-          {
-            rate_changes[cell] = sums.rate_change(cell, velocities);
-            rate_times_volume += volume * rate_changes[cell].volumetric();
-          }
+          rate_changes[cell] = sums.rate_change(cell, velocities);
 
         CellValues<n_values, n_nodes> contributions;
-        contributions.fill({{volume, rate_times_volume}});
+        contributions.fill(contribution(cell, sums.cells[cell], velocities));
         scatter(contributions, nodes, *nodal);
       });
       nodal->finish_sum();
       for (unsigned int node = 0; node < n_owned_nodes; ++node)
         {
           double *values = nodal->at(node);
-          if (values[Value::node_volume] > 0.)
-            values[Value::node_rate] /= values[Value::node_volume];
+          for (const auto mean : {Value::of_stressed, Value::of_dense})
+            if (values[mean + Value::mean_volume] > 0.)
+              values[mean + Value::mean_rate] /=
+                values[mean + Value::mean_volume];
         }
       nodal->update_ghosts();
     }
@@ -100,10 +102,15 @@ namespace Sandglass
     double
     rate(const unsigned int cell) const
     {
-      double sum = 0.;
-      for (const unsigned int node : geometry.nodes(cell))
-        sum += nodal->at(node)[Value::node_rate];
-      return sum / n_nodes;
+      return mean_of_nodes(cell, Value::of_stressed + Value::mean_rate);
+    }
+
+    /// The average in 1/s at a cell that holds particles that have only just
+    /// loosened.
+    double
+    rate_of_loosened(const unsigned int cell) const
+    {
+      return mean_of_nodes(cell, Value::of_dense + Value::mean_rate);
     }
 
     /// Change of the rates in the last compute(), see NodalSums::rate_change().
@@ -125,13 +132,73 @@ namespace Sandglass
     std::unique_ptr<Sums> cells;
 
   private:
+    /// Places in a node's values: two means over the cells around the node.
     enum Value : unsigned int
     {
-      node_volume, ///< of stressed particles in the cells around the node, in
-                   ///< m^3
-      node_rate,   ///< mean of those cells, in 1/s; before, times the volume
-      n_values
+      of_stressed = 0, ///< of stressed particles
+      of_dense    = 2, ///< of all that are not separated
+      n_values    = 4,
+
+      // In each mean:
+      mean_volume = 0, ///< of these particles in m^3
+      mean_rate   = 1  ///< in 1/s; before the division, times the volume
     };
+
+    using CellSumsOfCell = CellSums<Setting, double>;
+
+    /// What a cell adds to the values of each of its nodes.
+    std::array<double, n_values>
+    contribution(const unsigned int              cell,
+                 const CellSumsOfCell           &sums,
+                 const CellValues<dim, n_nodes> &velocities) const
+    {
+      const auto  &shape   = geometry.shape(cell);
+      const auto  &of_cell = (*cells)[cell];
+      const double stressed_volume =
+        of_cell.values[VolumetricSums<Setting, double>::volume];
+      const double change       = rate_change(cell).volumetric();
+      const double dense_volume = sums.values[CellSumsOfCell::stiff_volume];
+      return {{stressed_volume,
+               of_cell.rate_times_volume(shape, velocities) +
+                 stressed_volume * change,
+               dense_volume,
+               dense_volume > 0. ?
+                 dense_volume *
+                   (rate_at_mean_point(shape, sums, velocities) + change) :
+                 0.}};
+    }
+
+    /// The volumetric rate of v^L in 1/s where the mean of a cell's dense
+    /// particles is. Their mean rate differs from it by little, and carries no
+    /// stress.
+    static double
+    rate_at_mean_point(const typename Setting::Shape  &shape,
+                       const CellSumsOfCell           &sums,
+                       const CellValues<dim, n_nodes> &velocities)
+    {
+      if constexpr (Setting::has_uniform_strain)
+        return trace(gradient_of(velocities, shape.shape_gradients({})));
+      else
+        {
+          const auto point = sums.mean_point();
+          double     result =
+            trace(gradient_of(velocities, shape.shape_gradients(point)));
+          if constexpr (Setting::has_hoop_strain)
+            result +=
+              interpolate(velocities, Setting::Shape::shape_values(point))[0] /
+              shape.to_real(point_of(point))[0];
+          return result;
+        }
+    }
+
+    double
+    mean_of_nodes(const unsigned int cell, const unsigned int value) const
+    {
+      double sum = 0.;
+      for (const unsigned int node : geometry.nodes(cell))
+        sum += nodal->at(node)[value];
+      return sum / n_nodes;
+    }
 
     const Geometry                       &geometry;
     const unsigned int                    n_owned_nodes;

@@ -1,0 +1,75 @@
+#include <sandglass/flow/particle_in_cell/volumetric_average.h>
+
+#include <gtest/gtest.h>
+
+#include "random_engine.h"
+#include "stage_fixture.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  template <typename Setting>
+  class LoosenedRateTest : public testing::Test
+  {};
+
+  using Settings = testing::Types<
+    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
+    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
+    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
+    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
+  TYPED_TEST_SUITE(LoosenedRateTest, Settings);
+} // namespace
+
+
+
+// In distorted cells, by the force integration of the particles and the cell.
+TYPED_TEST(LoosenedRateTest, OfAUniformRateIsThatRate)
+{
+  constexpr double a = 0.3, b = -0.1; // 1/s
+  StageFixture     fixture;
+  fixture.formulation = TypeParam::Kinematics::formulation;
+  Rectangle rectangle;
+  rectangle.cell_type = TypeParam::cell_type;
+  rectangle.displaced = [](const Point<2> &p) {
+    return Point<2>(p[0] + 0.07 * p[0] * p[1], p[1] - 0.05 * p[0]);
+  };
+  const auto  &stage   = fixture.start(rectangle.mesh());
+  const auto  &blocks  = stage.particles().blocks();
+  const double density = fixture.material.density;
+
+  // From separated to stressed.
+  auto                                   engine = random_engine();
+  std::uniform_real_distribution<double> uniform;
+  fixture.change_particles([&](auto, const auto &, auto state) {
+    state[StageLayout::density] = density * (0.9 + 0.2 * uniform(engine));
+  });
+
+  const auto   velocity = fixture.at_nodes([&](const Point<2> &p) {
+    return Tensor<1, 2>({a * p[0], b * p[1]});
+  });
+  const double expected = TypeParam::has_hoop_strain ? 2. * a + b : a + b;
+  const CellGeometry<TypeParam::cell_type> geometry(*fixture.scene);
+  for (const bool by_cell : {false, true})
+    {
+      using Configuration = InitialConfiguration<typename TypeParam::Kinematics,
+                                                 TypeParam::cell_type>;
+      NodalSums<TypeParam> sums(
+        geometry,
+        0.95 * density,
+        by_cell ? Configuration(*fixture.scene, geometry).points :
+                  std::vector<Point<2>>());
+      VolumetricAverage<TypeParam> average(*fixture.scene->nodes,
+                                           geometry,
+                                           density,
+                                           true);
+      sums.cells.compute(blocks);
+      average.cells->compute(blocks);
+      average.compute(blocks, sums, velocity);
+      for (const auto &cell : stage.particles().owned_cells())
+        EXPECT_NEAR(average.rate_of_loosened(cell->active_cell_index()) /
+                      expected,
+                    1.,
+                    1e-11);
+    }
+}
