@@ -61,7 +61,7 @@ namespace
       silo.half_width        = 0.12;
       silo.wall_height       = 0.27;
       silo.outlet_half_width = 0.05;
-      silo.fall_region_depth = 0.075;
+      silo.fall_region_depth = 0.15;
       silo.element_size      = 0.0125;
       silo.cell_type         = GetParam();
       fixture.start(mesh_silo<2>(silo));

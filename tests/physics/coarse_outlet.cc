@@ -35,12 +35,13 @@ namespace
       start_from_rest(fixture);
     }
 
+    /// Of the whole silo, of which half is computed, in kg/m.
     double
     discharged_at(const double time)
     {
       while (fixture.stage->view().clock().time < time)
         fixture.stage->step();
-      return discharged_mass(fixture.stage->view().totals());
+      return 2. * discharged_mass(fixture.stage->view().totals());
     }
 
     StageFixture fixture;

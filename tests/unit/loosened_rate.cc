@@ -1,4 +1,5 @@
 #include <sandglass/flow/particle_in_cell/volumetric_average.h>
+#include <sandglass/particles/seeding.h>
 
 #include <gtest/gtest.h>
 

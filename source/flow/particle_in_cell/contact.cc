@@ -56,8 +56,12 @@ namespace Sandglass
     , memories(nodes.size())
     , sums(scene, nodes)
   {
+    // With the paper's normal condition walls don't stop what comes to where
+    // they meet.
     for (const BoundaryNode<dim> &node : nodes)
-      cones.emplace_back(node.supports);
+      cones.push_back(stops_velocity && !node.is_free ?
+                        FrictionCones<dim>(node.supports) :
+                        FrictionCones<dim>());
   }
 
 
@@ -123,7 +127,9 @@ namespace Sandglass
 
         const Tensor<1, dim> approach =
           stops_velocity ? free_velocity : free_velocity - velocity;
-        holding[n] = find_holding(n, mass, approach, free_velocity);
+        holding[n] = is_corner(n) ?
+                       hold_in_corner(n, mass, approach, free_velocity) :
+                       holding_supports(node, approach);
         Tensor<1, dim> end_velocity =
           free_velocity - approach + held_velocity(node, holding[n], approach);
         if (n_supports(holding[n]) > 1 || node.is_fixed)
@@ -150,14 +156,14 @@ namespace Sandglass
 
   template <int dim>
   SupportSet
-  Contact<dim>::find_holding(const unsigned int    n,
-                             const double          mass,
-                             const Tensor<1, dim> &approach,
-                             const Tensor<1, dim> &free_velocity) const
+  Contact<dim>::hold_in_corner(const unsigned int    n,
+                               const double          mass,
+                               const Tensor<1, dim> &approach,
+                               const Tensor<1, dim> &free_velocity) const
   {
-    if (is_corner(n) && cones[n].contain(-mass * free_velocity))
-      return all_supports(nodes[n].supports.size());
-    return holding_supports(nodes[n], approach);
+    return cones[n].contain(-mass * free_velocity) ?
+             all_supports(nodes[n].supports.size()) :
+             holding_supports(nodes[n], approach);
   }
 
 

@@ -4,16 +4,17 @@
 #include <sandglass/flow/particle_in_cell/cell_integration.h>
 #include <sandglass/flow/particle_in_cell/stress_update.h>
 
+#include <optional>
+
 namespace Sandglass
 {
-  /// The volumetric rates that a cell's particles take on, in 1/s, by their
-  /// densities in kg/m^3. Less dense particles keep their own.
+  /// The volumetric rates that a cell's particles take on.
   struct AveragedRates
   {
-    double stressed;
-    double smallest_stressed_density;
-    double loosened;
-    double smallest_loosened_density;
+    double stressed;         ///< of stressed particles, in 1/s
+    double smallest_density; ///< of these, in kg/m^3
+    /// Of the other ones, in 1/s; none if they keep their own.
+    std::optional<double> loosened;
   };
 
   /**
@@ -64,14 +65,14 @@ namespace Sandglass
     {
       if constexpr (Setting::has_uniform_strain)
         {
-          const auto increment = increment_of(Vector<double>(), 0.);
-          uniform.own          = deformation(increment);
+          auto increment = increment_of(Vector<double>(), 0.);
+          if (is_averaged && averaged.loosened)
+            set_rate(*averaged.loosened, increment);
+          uniform.without_stress = deformation(increment);
           if constexpr (is_averaged)
             {
-              uniform.stressed =
-                deformation(with_rate(increment, averaged.stressed));
-              uniform.loosened =
-                deformation(with_rate(increment, averaged.loosened));
+              set_rate(averaged.stressed, increment);
+              uniform.stressed = deformation(increment);
             }
         }
     }
@@ -89,7 +90,7 @@ namespace Sandglass
           if constexpr (is_averaged)
             return choose(state);
           else
-            return uniform.own;
+            return uniform.without_stress;
         }
       else
         {
@@ -100,12 +101,13 @@ namespace Sandglass
           if constexpr (is_averaged)
             {
               const Lanes own = increment.volume_change();
+              const Lanes without_stress =
+                averaged.loosened ? Lanes(time_step * *averaged.loosened) : own;
               increment.add_volume_change(
                 select(is_stressed(state),
-                       Lanes(time_step * averaged.stressed) - own,
-                       select(is_loosened(state),
-                              Lanes(time_step * averaged.loosened) - own,
-                              Lanes(0.))));
+                       Lanes(time_step * averaged.stressed),
+                       without_stress) -
+                own);
             }
           return deformation(increment);
         }
@@ -162,67 +164,51 @@ namespace Sandglass
               Number(1.) / increment.jacobian};
     }
 
-    /// The same increment with another volumetric rate, in 1/s.
-    Increment<double>
-    with_rate(Increment<double> increment, const double rate) const
+    /// Give an increment another volumetric rate, in 1/s.
+    void
+    set_rate(const double rate, Increment<double> &increment) const
     {
       increment.add_volume_change(time_step * rate - increment.volume_change());
-      return increment;
     }
 
     auto
     is_stressed(const State &state) const
     {
-      return state.density >= Lanes(averaged.smallest_stressed_density);
+      return state.density >= Lanes(averaged.smallest_density);
     }
 
-    /// Or denser than loosened.
-    auto
-    is_loosened(const State &state) const
-    {
-      return state.density >= Lanes(averaged.smallest_loosened_density);
-    }
-
-    /// One of the uniform ones, by each particle's density. They turn alike.
+    /// One of the two uniform ones, by whether each particle is stressed. They
+    /// turn alike.
     auto
     choose(const State &state) const
     {
-      const auto stressed   = is_stressed(state);
-      const auto loosened   = is_loosened(state);
-      const auto by_density = [&](const double of_stressed,
-                                  const double of_loosened,
-                                  const double own) {
-        return select(stressed,
-                      Lanes(of_stressed),
-                      select(loosened, Lanes(of_loosened), Lanes(own)));
-      };
+      const auto         stressed = is_stressed(state);
       Deformation<Lanes> chosen;
       for (int i = 0; i < chosen.prediction.size(); ++i)
-        chosen.prediction[i] = by_density(uniform.stressed.prediction[i],
-                                          uniform.loosened.prediction[i],
-                                          uniform.own.prediction[i]);
-      chosen.inverse_jacobian = by_density(uniform.stressed.inverse_jacobian,
-                                           uniform.loosened.inverse_jacobian,
-                                           uniform.own.inverse_jacobian);
+        chosen.prediction[i] =
+          select(stressed,
+                 Lanes(uniform.stressed.prediction[i]),
+                 Lanes(uniform.without_stress.prediction[i]));
+      chosen.inverse_jacobian =
+        select(stressed,
+               Lanes(uniform.stressed.inverse_jacobian),
+               Lanes(uniform.without_stress.inverse_jacobian));
       return ParticleDeformation<decltype(chosen.prediction),
-                                 decltype(uniform.own.rotation),
+                                 decltype(uniform.without_stress.rotation),
                                  Lanes>{chosen.prediction,
-                                        uniform.own.rotation,
+                                        uniform.without_stress.rotation,
                                         chosen.inverse_jacobian};
     }
 
     struct Nothing
     {};
 
-    /// What all particles of a cell have alike, by their density.
+    /// What all particles of a cell have alike.
     struct Uniform
     {
-      using Averaged =
-        std::conditional_t<is_averaged, Deformation<double>, Nothing>;
-
-      Averaged            stressed;
-      Averaged            loosened;
-      Deformation<double> own;
+      Deformation<double> without_stress;
+      /// With their averaged rate.
+      std::conditional_t<is_averaged, Deformation<double>, Nothing> stressed;
     };
 
     const Shape            &shape;

@@ -188,20 +188,19 @@ namespace Sandglass
                   const Tensor<1, dim> &free_velocity);
 
     /// Whether friction at a node follows the rule for places where walls meet.
-    /// With the paper's normal condition walls don't stop what comes there.
     bool
     is_corner(const unsigned int n) const
     {
-      return cones[n].are_several() && stops_velocity && !nodes[n].is_free;
+      return cones[n].are_several();
     }
 
-    /// The supports that hold a node whose velocity would change by
-    /// `approach` and become `free_velocity` without them.
+    /// The supports that hold a node where walls meet, if its velocity would
+    /// change by `approach` and become `free_velocity` without them.
     SupportSet
-    find_holding(const unsigned int    n,
-                 const double          mass,
-                 const Tensor<1, dim> &approach,
-                 const Tensor<1, dim> &free_velocity) const;
+    hold_in_corner(const unsigned int    n,
+                   const double          mass,
+                   const Tensor<1, dim> &approach,
+                   const Tensor<1, dim> &free_velocity) const;
 
     /// Forget the friction of a support that doesn't rub.
     void
@@ -226,7 +225,8 @@ namespace Sandglass
     const bool        has_image;
     const Scene<dim> &scene;
 
-    std::vector<FrictionCones<dim>> cones; ///< of the nodes
+    /// Of the nodes; none where the rule for places where walls meet is off.
+    std::vector<FrictionCones<dim>> cones;
 
     double                      time_step = 0.; ///< the last one, in s
     std::vector<Tensor<1, dim>> end_velocities; ///< of the nodes, in m/s

@@ -98,8 +98,9 @@ namespace Sandglass
           change   = volumetric_average.rate_change(cell);
           averaged = {volumetric_average.rate(cell),
                       volumetric_average.smallest_density,
-                      volumetric_average.rate_of_loosened(cell),
-                      sums.cells.smallest_density};
+                      {}};
+          if (volumetric_average.has_loosened(cell, sums))
+            averaged.loosened = volumetric_average.rate_of_loosened(cell);
         }
       else if constexpr (!Setting::has_uniform_strain)
         change = sums.rate_change(cell, velocities);

@@ -23,13 +23,13 @@ namespace Sandglass
    *
    * Particles less dense than `smallest_density` carry no stress and don't
    * count. Those that are hardly less dense have only just loosened and will
-   * resist again soon. They take an average of their own, over all particles
-   * that are not separated. With their cell's rate they would loosen where
-   * that errs to one side and become dense where it errs to the other, so that
-   * the stressed ones would be those whose cells seem to contract, and their
-   * pressure would rise as if the cells locked. To let the stressed ones count
-   * the loosened ones too would make the stiffness unsymmetric, and shake
-   * loose material (doc/tried.md).
+   * resist again soon. Where others are stressed, they take an average of their
+   * own, over all particles that are not separated. With their cell's rate they
+   * would loosen where that errs to one side and become dense where it errs to
+   * the other, so that the stressed ones would be those whose cells seem to
+   * contract, and their pressure would rise as if the cells locked. To let the
+   * stressed ones count the loosened ones too would make the stiffness
+   * unsymmetric, and shake loose material (doc/tried.md).
    */
   template <typename Setting>
   class VolumetricAverage
@@ -82,18 +82,18 @@ namespace Sandglass
         if constexpr (!Setting::has_uniform_strain)
           rate_changes[cell] = sums.rate_change(cell, velocities);
 
-        CellValues<n_values, n_nodes> contributions;
-        contributions.fill(contribution(cell, sums.cells[cell], velocities));
-        scatter(contributions, nodes, *nodal);
+        add_to_nodes(cell, sums.cells[cell], velocities);
       });
       nodal->finish_sum();
       for (unsigned int node = 0; node < n_owned_nodes; ++node)
         {
           double *values = nodal->at(node);
-          for (const auto mean : {Value::of_stressed, Value::of_dense})
-            if (values[mean + Value::mean_volume] > 0.)
-              values[mean + Value::mean_rate] /=
-                values[mean + Value::mean_volume];
+          values[Value::dense_volume] += values[Value::stressed_volume];
+          values[Value::dense_rate] += values[Value::stressed_rate];
+          if (values[Value::stressed_volume] > 0.)
+            values[Value::stressed_rate] /= values[Value::stressed_volume];
+          if (values[Value::dense_volume] > 0.)
+            values[Value::dense_rate] /= values[Value::dense_volume];
         }
       nodal->update_ghosts();
     }
@@ -102,15 +102,27 @@ namespace Sandglass
     double
     rate(const unsigned int cell) const
     {
-      return mean_of_nodes(cell, Value::of_stressed + Value::mean_rate);
+      return mean_of_nodes(cell, Value::stressed_rate);
     }
 
-    /// The average in 1/s at a cell that holds particles that have only just
-    /// loosened.
+    /// Whether some of a cell's particles have only just loosened, and some of
+    /// its own or its neighbours' are stressed.
+    ///
+    /// @param sums  as compute() takes them.
+    bool
+    has_loosened(const unsigned int cell, const NodalSums<Setting> &sums) const
+    {
+      if (!(sums.cells[cell].values[SumsOfCell::stiff_volume] >
+            volume_of_stressed(cell)))
+        return false;
+      return mean_of_nodes(cell, Value::stressed_volume) > 0.;
+    }
+
+    /// The average in 1/s at a cell that holds such particles.
     double
     rate_of_loosened(const unsigned int cell) const
     {
-      return mean_of_nodes(cell, Value::of_dense + Value::mean_rate);
+      return mean_of_nodes(cell, Value::dense_rate);
     }
 
     /// Change of the rates in the last compute(), see NodalSums::rate_change().
@@ -132,48 +144,59 @@ namespace Sandglass
     std::unique_ptr<Sums> cells;
 
   private:
-    /// Places in a node's values: two means over the cells around the node.
+    /// Two means over the cells around a node: of stressed particles, and of
+    /// all that are not separated; volumes in m^3, rates in 1/s.
     enum Value : unsigned int
     {
-      of_stressed = 0, ///< of stressed particles
-      of_dense    = 2, ///< of all that are not separated
-      n_values    = 4,
-
-      // In each mean:
-      mean_volume = 0, ///< of these particles in m^3
-      mean_rate   = 1  ///< in 1/s; before the division, times the volume
+      stressed_volume,
+      stressed_rate, ///< before the division, times the volume
+      dense_volume,  ///< until all cells are added, of the loosened only
+      dense_rate,    ///< likewise
+      n_values
     };
 
-    using CellSumsOfCell = CellSums<Setting, double>;
+    using SumsOfCell = CellSums<Setting, double>;
 
-    /// What a cell adds to the values of each of its nodes.
-    std::array<double, n_values>
-    contribution(const unsigned int              cell,
-                 const CellSumsOfCell           &sums,
-                 const CellValues<dim, n_nodes> &velocities) const
+    void
+    add_to_nodes(const unsigned int              cell,
+                 const SumsOfCell               &sums,
+                 const CellValues<dim, n_nodes> &velocities)
     {
-      const auto  &shape   = geometry.shape(cell);
-      const auto  &of_cell = (*cells)[cell];
-      const double stressed_volume =
-        of_cell.values[VolumetricSums<Setting, double>::volume];
-      const double change       = rate_change(cell).volumetric();
-      const double dense_volume = sums.values[CellSumsOfCell::stiff_volume];
-      return {{stressed_volume,
-               of_cell.rate_times_volume(shape, velocities) +
-                 stressed_volume * change,
-               dense_volume,
-               dense_volume > 0. ?
-                 dense_volume *
-                   (rate_at_mean_point(shape, sums, velocities) + change) :
-                 0.}};
+      const auto  &shape    = geometry.shape(cell);
+      const double stressed = volume_of_stressed(cell);
+      const double loosened = sums.values[SumsOfCell::stiff_volume] - stressed;
+      double       rate_times_volume =
+        (*cells)[cell].rate_times_volume(shape, velocities);
+      if constexpr (!Setting::has_uniform_strain)
+        rate_times_volume += stressed * rate_changes[cell].volumetric();
+      const auto &nodes = geometry.nodes(cell);
+      for (const unsigned int node : nodes)
+        {
+          nodal->at(node)[Value::stressed_volume] += stressed;
+          nodal->at(node)[Value::stressed_rate] += rate_times_volume;
+        }
+      if (!(loosened > 0.)) // as in most cells
+        return;
+      const double loosened_rate = rate_at_mean_point(shape, sums, velocities) +
+                                   rate_change(cell).volumetric();
+      for (const unsigned int node : nodes)
+        {
+          nodal->at(node)[Value::dense_volume] += loosened;
+          nodal->at(node)[Value::dense_rate] += loosened * loosened_rate;
+        }
     }
 
-    /// The volumetric rate of v^L in 1/s where the mean of a cell's dense
-    /// particles is. Their mean rate differs from it by little, and carries no
-    /// stress.
+    double
+    volume_of_stressed(const unsigned int cell) const
+    {
+      return (*cells)[cell].values[VolumetricSums<Setting, double>::volume];
+    }
+
+    /// The volumetric rate of v^L in 1/s where the mean of a cell's particles
+    /// is. The mean rate of those without stress differs from it by little.
     static double
     rate_at_mean_point(const typename Setting::Shape  &shape,
-                       const CellSumsOfCell           &sums,
+                       const SumsOfCell               &sums,
                        const CellValues<dim, n_nodes> &velocities)
     {
       if constexpr (Setting::has_uniform_strain)
