@@ -1,17 +1,13 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
-#include <sandglass/flow/updated_lagrangian/settlement_check.h>
-#include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/banner.h>
 #include <sandglass/output/output_directory.h>
-#include <sandglass/output/silo_measures.h>
 #include <sandglass/run/checkpoint_writer.h>
 #include <sandglass/run/part.h>
 #include <sandglass/run/run.h>
-#include <sandglass/run/static_to_particles.h>
+#include <sandglass/run/state_at_rest.h>
 #include <sandglass/scene/make_mesh.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace Sandglass
@@ -55,21 +51,6 @@ namespace Sandglass
 
       void
       start();
-
-      /// Find the state at rest and carry it to the particles; what output
-      /// shows of it, or nothing where the parameters leave this stage out.
-      std::optional<AtRest>
-      rest();
-
-      /// Where nothing can leave, let particles settle at their own rest.
-      void
-      settle_particles();
-
-      /// All of the static stage, with doubts about the material's stiffness
-      /// where it settles too much or finds no state at rest.
-      StaticState<dim>
-      settle(StaticStage<dim> &static_stage);
-
 
       void
       go_on_from(const Checkpoint &checkpoint);
@@ -190,77 +171,9 @@ namespace Sandglass
     void
     Simulation<dim>::start()
     {
-      const std::optional<AtRest> at_rest = rest();
+      const std::optional<AtRest> at_rest =
+        find_state_at_rest(parameters, *part, log, timings);
       part->observers.start(part->flow->view(), at_rest ? &*at_rest : nullptr);
-    }
-
-
-
-    template <int dim>
-    std::optional<AtRest>
-    Simulation<dim>::rest()
-    {
-      if (!parameters.static_stage.is_enabled)
-        return {};
-      TimerOutput::Scope     static_scope(timings, Timing::static_stage);
-      StaticStage<dim>       static_stage(part->scene,
-                                    parameters.material,
-                                    parameters.walls,
-                                    parameters.static_stage,
-                                    log.stream());
-      const StaticState<dim> state = settle(static_stage);
-      carry_to_particles(state,
-                         part->scene,
-                         *part->flow,
-                         parameters.static_stage.displaces_particles);
-      settle_particles();
-      static_scope.stop();
-      if (parameters.output.writes_grid)
-        {
-          TimerOutput::Scope output_scope(timings, Timing::output);
-          static_stage.write_vtu(parameters.output.directory);
-        }
-      return AtRest{static_stage.view().wall_records(), state.effort};
-    }
-
-
-
-    template <int dim>
-    StaticState<dim>
-    Simulation<dim>::settle(StaticStage<dim> &static_stage)
-    {
-      StaticState<dim> state;
-      try
-        {
-          state = static_stage.run();
-        }
-      catch (const RunError &error)
-        {
-          throw RunError(error.what() +
-                         doubt_stiffness(part->scene, parameters.material));
-        }
-      check_settlement(state, part->scene, parameters.material, log.stream());
-      return state;
-    }
-
-
-
-    template <int dim>
-    void
-    Simulation<dim>::settle_particles()
-    {
-      const auto &walls = part->scene.walls;
-      if (!parameters.static_stage.settles_particles ||
-          part->flow->is_finished() ||
-          SiloMeasures<dim>(part->scene).has_open_outlet ||
-          std::any_of(walls.begin(), walls.end(), [](const Wall<dim> &wall) {
-            return wall.velocity.norm() > 0.;
-          }))
-        return;
-      const Settling settling = part->flow->settle();
-      log.stream() << "Particles settled in " << settling.n_steps
-                   << " steps, largest speed then " << settling.largest_speed
-                   << " m/s" << std::endl;
     }
 
 

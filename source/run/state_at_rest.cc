@@ -1,0 +1,102 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/settlement_check.h>
+#include <sandglass/flow/updated_lagrangian/static_stage.h>
+#include <sandglass/output/silo_measures.h>
+#include <sandglass/run/state_at_rest.h>
+#include <sandglass/run/static_to_particles.h>
+
+#include <algorithm>
+
+namespace Sandglass
+{
+  namespace
+  {
+    /// All of the static stage, with doubts about the material's stiffness
+    /// where it settles too much or finds no state at rest.
+    template <int dim>
+    StaticState<dim>
+    settle(StaticStage<dim>         &static_stage,
+           const Scene<dim>         &scene,
+           const MaterialParameters &material,
+           Log                      &log)
+    {
+      StaticState<dim> state;
+      try
+        {
+          state = static_stage.run();
+        }
+      catch (const RunError &error)
+        {
+          throw RunError(error.what() + doubt_stiffness(scene, material));
+        }
+      check_settlement(state, scene, material, log.stream());
+      return state;
+    }
+
+
+
+    /// Where nothing can leave, let particles settle at their own rest.
+    template <int dim>
+    void
+    settle_particles(const StaticStageParameters &parameters,
+                     Part<dim>                   &part,
+                     Log                         &log)
+    {
+      const auto &walls = part.scene.walls;
+      if (!parameters.settles_particles || part.flow->is_finished() ||
+          SiloMeasures<dim>(part.scene).has_open_outlet ||
+          std::any_of(walls.begin(), walls.end(), [](const Wall<dim> &wall) {
+            return wall.velocity.norm() > 0.;
+          }))
+        return;
+      const Settling settling = part.flow->settle();
+      log.stream() << "Particles settled in " << settling.n_steps
+                   << " steps, largest speed then " << settling.largest_speed
+                   << " m/s" << std::endl;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::optional<AtRest>
+  find_state_at_rest(const Parameters &parameters,
+                     Part<dim>        &part,
+                     Log              &log,
+                     TimerOutput      &timings)
+  {
+    if (!parameters.static_stage.is_enabled)
+      return {};
+    TimerOutput::Scope     static_scope(timings, Timing::static_stage);
+    StaticStage<dim>       static_stage(part.scene,
+                                  parameters.material,
+                                  parameters.walls,
+                                  parameters.static_stage,
+                                  log.stream());
+    const StaticState<dim> state =
+      settle(static_stage, part.scene, parameters.material, log);
+    carry_to_particles(state,
+                       part.scene,
+                       *part.flow,
+                       parameters.static_stage.displaces_particles);
+    settle_particles(parameters.static_stage, part, log);
+    static_scope.stop();
+    if (parameters.output.writes_grid)
+      {
+        TimerOutput::Scope output_scope(timings, Timing::output);
+        static_stage.write_vtu(parameters.output.directory);
+      }
+    return AtRest{static_stage.view().wall_records(), state.effort};
+  }
+
+
+
+#define INSTANTIATE(dim)                                                \
+  template std::optional<AtRest> find_state_at_rest(const Parameters &, \
+                                                    Part<dim> &,        \
+                                                    Log &,              \
+                                                    TimerOutput &);
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
+} // namespace Sandglass
