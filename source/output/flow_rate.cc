@@ -65,6 +65,38 @@ namespace Sandglass
 
 
   double
+  FlowRate::mean(const double start, const double end) const
+  {
+    // Of a time that is the sum of many steps.
+    constexpr double rounding = 1e-9;
+    if (samples.empty() || samples.front().time > start ||
+        samples.back().time < end * (1. - rounding))
+      return std::numeric_limits<double>::quiet_NaN();
+    return (mass_at(end) - mass_at(start)) / (end - start);
+  }
+
+
+
+  double
+  FlowRate::mass_at(const double time) const
+  {
+    const auto after = std::find_if(samples.begin(),
+                                    samples.end(),
+                                    [time](const Sample &sample) {
+                                      return sample.time >= time;
+                                    });
+    if (after == samples.end())
+      return samples.back().mass;
+    if (after == samples.begin())
+      return after->mass;
+    const auto before = std::prev(after);
+    return before->mass + (after->mass - before->mass) * (time - before->time) /
+                            (after->time - before->time);
+  }
+
+
+
+  double
   FlowRate::time_of_share(const double share) const
   {
     const double mass = samples.empty() ? 0. : samples.back().mass;

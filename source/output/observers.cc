@@ -15,6 +15,7 @@ namespace Sandglass
   template <int dim>
   Observers<dim>::Observers(const OutputParameters   &parameters,
                             const Scene<dim>         &scene,
+                            const Resolution         &resolution,
                             const MaterialParameters &material,
                             const double              end_time,
                             Log                      &log,
@@ -36,6 +37,7 @@ namespace Sandglass
   {
     summary.n_ranks       = Utilities::MPI::n_mpi_processes(communicator);
     summary.n_cells       = scene.triangulation.n_active_cells();
+    summary.resolution    = resolution;
     summary.has_flow_rate = SiloMeasures<dim>(scene).has_open_outlet;
   }
 

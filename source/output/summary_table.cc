@@ -1,6 +1,8 @@
 #include <sandglass/output/summary.h>
 #include <sandglass/version.h>
 
+#include <cmath>
+
 namespace Sandglass
 {
   namespace
@@ -9,6 +11,12 @@ namespace Sandglass
     has_static_effort(const Summary &summary)
     {
       return summary.static_effort.has_value();
+    }
+
+    bool
+    has_element_size(const Summary &summary)
+    {
+      return !std::isnan(summary.resolution.element_size);
     }
 
     bool
@@ -55,6 +63,23 @@ namespace Sandglass
      "1",
      [](const Summary &s) { return s.n_cells; },
      "of the whole mesh"},
+    {"element_size_m",
+     "m",
+     [](const Summary &s) { return s.resolution.element_size; },
+     "`Scene/Element size`, given or chosen, over `Scene/Refinement`; not with "
+     "a mesh file",
+     has_element_size},
+    {"outlet_element_size_m",
+     "m",
+     [](const Summary &s) { return s.resolution.smallest_size(); },
+     "the same at the outlet's lip",
+     has_element_size},
+    {"particles_per_cell",
+     "1",
+     [](const Summary &s) {
+       return static_cast<unsigned long>(s.resolution.particles_per_cell);
+     },
+     "at the start, in filled cells"},
     {"steps",
      "1",
      [](const Summary &s) { return s.clock.step; },

@@ -15,7 +15,7 @@ namespace Sandglass
     : scene(mesh,
             parameters.walls,
             parameters.scene.formulation,
-            parameters.scene.particles_per_cell,
+            parameters.scene.resolution().particles_per_cell,
             parameters.scene.gravity_vector<dim>(),
             communicator,
             parameters.scene.partitioner,
@@ -26,6 +26,7 @@ namespace Sandglass
                      parameters.particle_stage))
     , observers(parameters.output,
                 scene,
+                parameters.scene.resolution(),
                 parameters.material,
                 parameters.particle_stage.end_time,
                 log,

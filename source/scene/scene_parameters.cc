@@ -1,58 +1,10 @@
-#include <sandglass/base/exceptions.h>
+#include <sandglass/base/automatic_number.h>
 #include <sandglass/base/parameter_entries.h>
+#include <sandglass/scene/automatic_mesh.h>
 #include <sandglass/scene/scene_parameters.h>
-
-#include <cmath>
-#include <filesystem>
-#include <sstream>
 
 namespace Sandglass
 {
-  namespace
-  {
-    std::string
-    to_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-
-
-
-    /// Lengths that differ by less of the half width are the same.
-    constexpr double rounding = 1e-9;
-
-
-
-    /// Refuse an outlet wider than the silo, and a hopper that doesn't narrow.
-    void
-    check_openings(const SceneParameters &scene)
-    {
-      const bool   has_hopper = scene.hopper_height > 0.;
-      const double half_width = scene.half_width;
-      if (scene.outlet_half_width > half_width * (1. + rounding) ||
-          (has_hopper &&
-           scene.outlet_half_width > half_width * (1. - rounding)))
-        throw InputError("Scene",
-                         "Outlet half width",
-                         to_text(scene.outlet_half_width),
-                         std::string("allowed is ") +
-                           (has_hopper ? "with a hopper less than" :
-                                         "at most") +
-                           " the silo's Half width of " + to_text(half_width) +
-                           " m");
-      if (!has_hopper && scene.wall_height == 0.)
-        throw InputError("Scene",
-                         "Wall height",
-                         to_text(scene.wall_height),
-                         "allowed is a number greater than 0, since there is "
-                         "no hopper either (Hopper height = 0)");
-    }
-  } // namespace
-
-
-
   SceneParameters::SceneParameters()
     : ParameterAcceptor("Scene")
   {
@@ -132,20 +84,31 @@ namespace Sandglass
                "m",
                "Depth of the region below an open outlet in which material "
                "falls before it is removed.");
+    add_automatic_number(
+      *this,
+      "Element size",
+      element_size,
+      Bounds::greater_than(0.),
+      "m",
+      "Edge length of the cells; `auto`: chosen from the silo.");
+    add_automatic_number(
+      *this,
+      "Outlet element size",
+      outlet_element_size,
+      Bounds::at_least(0.),
+      "m",
+      "Edge length of the cells at the outlet's lip, which grows by 0.2 of the "
+      "distance from there up to Element size (Cell type = triangle only); 0 "
+      "takes Element size everywhere; `auto`: chosen from the outlet where "
+      "Element size is, else 0.");
     add_number(*this,
-               "Element size",
-               element_size,
-               Bounds::greater_than(0.),
-               "m",
-               "Edge length of the cells.");
-    add_number(*this,
-               "Outlet element size",
-               outlet_element_size,
-               Bounds::at_least(0.),
-               "m",
-               "Edge length of the cells at the outlet's lip, which grows by "
-               "0.2 of the distance from there up to Element size (Cell type "
-               "= triangle only); 0 takes Element size everywhere.");
+               "Refinement",
+               refinement,
+               Bounds::within(smallest_refinement, largest_refinement),
+               "1",
+               "Factor by which all cells become smaller, those of sizes given "
+               "and of sizes chosen: 2 halves their edges, 0.5 doubles them. "
+               "For Shape = silo.");
     add_selection<MeshAlgorithm>(
       *this,
       "Mesh algorithm",
@@ -166,11 +129,12 @@ namespace Sandglass
                             {{"triangle", CellType::triangle},
                              {"quadrilateral", CellType::quadrilateral}},
                             "Shape of the cells.");
-    add_selection<unsigned int>(
+    add_selection<std::optional<unsigned int>>(
       *this,
       "Particles per cell",
       particles_per_cell,
-      {{"1", 1},
+      {{automatic, std::nullopt},
+       {"1", 1},
        {"4", 4},
        {"9", 9},
        {"16", 16},
@@ -178,7 +142,8 @@ namespace Sandglass
        {"36", 36},
        {"64", 64}},
       "Material points in each filled cell: the centroids of equal parts into "
-      "which the cell's edges are divided.");
+      "which the cell's edges are divided; `auto`: 9 where Element size is "
+      "`auto` too, else 4.");
     add_selection<bool>(*this,
                         "Outlet",
                         outlet_is_open,
@@ -203,100 +168,48 @@ namespace Sandglass
 
 
 
-  void
-  SceneParameters::check() const
+  Resolution
+  SceneParameters::unrefined_resolution() const
   {
-    if (partitioner == Partitioner::p4est && cell_type == CellType::triangle)
-      throw InputError("Scene",
-                       "Partitioner",
-                       "p4est",
-                       "allowed is METIS with Cell type = triangle; p4est "
-                       "knows quadrilaterals only");
-    if (shape == Shape::mesh_file)
-      {
-        if (mesh_file.empty())
-          throw InputError("Scene",
-                           "Mesh file",
-                           mesh_file,
-                           "allowed is the path of a mesh, since Shape = mesh "
-                           "file");
-        if (!std::filesystem::is_regular_file(mesh_file))
-          throw InputError("Scene",
-                           "Mesh file",
-                           mesh_file,
-                           "there is no such file; allowed is the path of a "
-                           "mesh that Gmsh reads, relative to the working "
-                           "directory");
-        return;
-      }
-    check_symmetry();
-    check_openings(*this);
-    check_element_size();
+    const Resolution chosen = automatic_resolution(*this);
+    if (!element_size)
+      return {chosen.element_size,
+              outlet_element_size.value_or(chosen.outlet_element_size),
+              particles_per_cell.value_or(chosen.particles_per_cell)};
+    const bool has_own_cells = shape == Shape::mesh_file;
+    return {has_own_cells ? chosen.element_size : *element_size,
+            has_own_cells ? 0. : outlet_element_size.value_or(0.),
+            particles_per_cell.value_or(particles_per_given_cell)};
+  }
+
+
+
+  Resolution
+  SceneParameters::resolution() const
+  {
+    Resolution result = unrefined_resolution();
+    result.element_size /= refinement;
+    result.outlet_element_size /= refinement;
+    return result;
   }
 
 
 
   void
-  SceneParameters::check_element_size() const
+  SceneParameters::fix_resolution()
   {
-    const double at_lip = is_graded() ? outlet_element_size : element_size;
-    if (at_lip > outlet_half_width)
-      throw InputError("Scene",
-                       is_graded() ? "Outlet element size" : "Element size",
-                       to_text(at_lip),
-                       "allowed is at most the Outlet half width of " +
-                         to_text(outlet_half_width) +
-                         " m, which must hold an element");
-    const bool   has_wall = wall_height > 0.;
-    const double height   = has_wall ? wall_height : hopper_height;
-    if (element_size > height)
-      throw InputError("Scene",
-                       "Element size",
-                       to_text(element_size),
-                       std::string("allowed is at most the ") +
-                         (has_wall ? "Wall height of " : "Hopper height of ") +
-                         to_text(height) + " m");
-    if (outlet_element_size > element_size)
-      throw InputError("Scene",
-                       "Outlet element size",
-                       to_text(outlet_element_size),
-                       "allowed is at most the Element size of " +
-                         to_text(element_size) + " m");
-    if (is_graded() && cell_type == CellType::quadrilateral)
-      throw InputError("Scene",
-                       "Outlet element size",
-                       to_text(outlet_element_size),
-                       "allowed is 0 with Cell type = quadrilateral, since "
-                       "quadrilaterals are structured");
-  }
-
-
-
-  void
-  SceneParameters::check_symmetry() const
-  {
-    if (!is_symmetric && formulation == Formulation::axisymmetric)
-      throw InputError("Scene",
-                       "Symmetry",
-                       "false",
-                       "allowed is true, since Formulation = axisymmetric "
-                       "turns a half section about its axis");
-    if (is_symmetric && outlet_eccentricity != 0.)
-      throw InputError("Scene",
-                       "Outlet eccentricity",
-                       to_text(outlet_eccentricity),
-                       "allowed is 0, since Symmetry = true; an eccentric "
-                       "outlet needs Symmetry = false");
-    if (outlet_half_width <= half_width * (1. + rounding) &&
-        std::abs(outlet_eccentricity) + outlet_half_width >
-          half_width * (1. + rounding))
-      throw InputError("Scene",
-                       "Outlet eccentricity",
-                       to_text(outlet_eccentricity),
-                       "the outlet must lie between the walls: allowed is at "
-                       "most " +
-                         to_text(half_width - outlet_half_width) +
-                         " m to either side, the Half width less the Outlet "
-                         "half width");
+    const Resolution resolution = unrefined_resolution();
+    const auto       fix = [this](const std::string &name, const auto number) {
+      enter_my_subsection(prm);
+      prm.set(name, number);
+      leave_my_subsection(prm);
+    };
+    if (shape == Shape::silo && !outlet_element_size)
+      fix("Outlet element size", resolution.outlet_element_size);
+    if (shape == Shape::silo && !element_size)
+      fix("Element size", resolution.element_size);
+    if (!particles_per_cell)
+      fix("Particles per cell",
+          static_cast<long int>(resolution.particles_per_cell));
   }
 } // namespace Sandglass

@@ -27,6 +27,7 @@ namespace Sandglass
     public:
       explicit SiloSection(const SceneParameters &parameters)
         : parameters(parameters)
+        , resolution(parameters.resolution())
         , is_half(parameters.is_symmetric)
         , left_end(is_half ? 0. : -parameters.half_width)
         , right_end(parameters.half_width)
@@ -44,10 +45,10 @@ namespace Sandglass
         else
           add_blocks();
         gmsh::model::geo::synchronize();
-        if (parameters.is_graded())
+        if (resolution.is_graded())
           grade_mesh_size(lips,
-                          parameters.outlet_element_size,
-                          parameters.element_size);
+                          resolution.outlet_element_size,
+                          resolution.element_size);
         for (const auto &[name, lines] : lines_named)
           gmsh::model::setPhysicalName(1,
                                        gmsh::model::addPhysicalGroup(1, lines),
@@ -68,7 +69,7 @@ namespace Sandglass
           if (std::hypot(position[0] - x, position[1] - y) < rounding)
             return tag;
         const int tag =
-          gmsh::model::geo::addPoint(x, y, 0., parameters.element_size);
+          gmsh::model::geo::addPoint(x, y, 0., resolution.element_size);
         points.push_back({{{x, y}}, tag});
         return tag;
       }
@@ -154,7 +155,7 @@ namespace Sandglass
       unsigned int
       n_cells_along(const double length) const
       {
-        return std::max(1., std::round(length / parameters.element_size));
+        return std::max(1., std::round(length / resolution.element_size));
       }
 
       /// A surface of n x m quadrilaterals between four lines.
@@ -303,6 +304,7 @@ namespace Sandglass
       }
 
       const SceneParameters &parameters;
+      const Resolution       resolution;
 
       /// Whether the section ends at the axis.
       const bool is_half;

@@ -39,7 +39,7 @@ struct FlowingSilo : StageFixture
     formulation       = silo.formulation;
 
     if (method != Method::automatic)
-      set_time_step(0.01 * silo.element_size); // Tables II, IV
+      set_time_step(0.01 * *silo.element_size); // Tables II, IV
     parameters.end_time = 1e3;
     if (method == Method::paper) // and of the plain loop
       {

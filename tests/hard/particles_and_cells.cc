@@ -62,7 +62,7 @@ TEST_P(ParticlesAndCells, AtTheAxisOfRevolution)
     {
       silo.scene.formulation = Formulation::axisymmetric;
       silo.start();
-      const double            h = silo.scene.element_size;
+      const double            h = *silo.scene.element_size;
       std::map<unsigned, int> n_moved;
       silo.fixture.stage->start_from(
         [&](const unsigned int cell, const Point<2> &reference) {
@@ -89,7 +89,7 @@ TEST_P(ParticlesAndCells, AnOutletOfTwoCells)
       {
         silo.fixture.walls.outlet_lip = lip;
         silo.scene.is_symmetric       = is_symmetric;
-        silo.scene.outlet_half_width  = silo.scene.element_size;
+        silo.scene.outlet_half_width  = *silo.scene.element_size;
         silo.start();
         expect_sound_flow_until(1., 0.);
       }

@@ -36,7 +36,7 @@ namespace
       silo.fixture.for_each_particle([&](auto id, const auto &position, auto) {
         largest = std::max(largest, position.distance(start.at(id)));
       });
-      return largest / silo.scene.element_size;
+      return largest / *silo.scene.element_size;
     }
 
     void

@@ -32,7 +32,7 @@ struct SmallSilo
   start(const Sandglass::Mesh<2> &mesh)
   {
     fixture.formulation        = scene.formulation;
-    fixture.particles_per_cell = scene.particles_per_cell;
+    fixture.particles_per_cell = scene.resolution().particles_per_cell;
     fixture.start(mesh);
     start_from_rest(fixture);
     initial_mass = mass_of_all(totals());

@@ -142,7 +142,7 @@ TEST_P(AxisymmetricConservation, MomentumOfTheFlowIsTheImpulseOfItsForces)
             << "\nlargest error of a step / (m g t)  " << largest_error / fall
             << "\nlargest error of the mass          " << largest_mass_error
             << "\nsmallest radius / element size     "
-            << smallest_radius / silo.element_size << std::endl;
+            << smallest_radius / *silo.element_size << std::endl;
   EXPECT_LT(last.axial_momentum / fall, -0.01) << "it doesn't flow";
   EXPECT_LT(largest_error / fall, 1e-13);
   EXPECT_LT(largest_mass_error, 1e-14);

@@ -34,6 +34,11 @@ namespace Sandglass
     double
     plateau() const;
 
+    /// The mean rate between two times in s, in kg/s; NaN where the samples
+    /// don't reach from one to the other.
+    double
+    mean(const double start, const double end) const;
+
     /// The time, in s, when a share of all the discharged mass had been
     /// discharged, interpolated linearly between samples; NaN if none was.
     double
@@ -87,6 +92,11 @@ namespace Sandglass
     /// between samples.
     double
     time_of(const double mass) const;
+
+    /// The discharged mass in kg at a time in s between the first and the last
+    /// sample's, interpolated linearly.
+    double
+    mass_at(const double time) const;
 
     const double        window;
     std::vector<Sample> samples;

@@ -72,6 +72,13 @@ namespace Sandglass
     FlowSummary
     flow_summary() const;
 
+    /// The discharged mass over time; on rank 0.
+    const FlowRate &
+    discharge() const
+    {
+      return flow_rate;
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -37,10 +37,12 @@ namespace Sandglass
   class Observers
   {
   public:
-    /// @param end_time  of the flow, in s.
-    /// @param timings   has the sections of Timing; these times are reported.
+    /// @param resolution  that the scene was made with.
+    /// @param end_time    of the flow, in s.
+    /// @param timings     has the sections of Timing; these times are reported.
     Observers(const OutputParameters   &parameters,
               const Scene<dim>         &scene,
+              const Resolution         &resolution,
               const MaterialParameters &material,
               const double              end_time,
               Log                      &log,
@@ -86,6 +88,20 @@ namespace Sandglass
     /// Write the summary of a run that failed. Not collective.
     void
     finish_after_failure(const std::string &message);
+
+    /// What summary.json says; on rank 0 with the flow's rates.
+    const Summary &
+    what_happened() const
+    {
+      return summary;
+    }
+
+    /// The discharged mass over time; on rank 0.
+    const FlowRate &
+    discharge() const
+    {
+      return history.discharge();
+    }
 
     /// All that go_on_from() needs; waits for the files that are being
     /// written. Collective.

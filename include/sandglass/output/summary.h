@@ -5,6 +5,7 @@
 #include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/output/flow_summary.h>
 #include <sandglass/output/silo_totals.h>
+#include <sandglass/scene/resolution.h>
 
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ namespace Sandglass
     unsigned int  n_ranks     = 1;
     unsigned long n_particles = 0; ///< at the start
     unsigned long n_cells     = 0;
+    Resolution    resolution;
 
     Clock      clock;
     SiloTotals totals;

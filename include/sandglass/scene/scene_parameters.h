@@ -6,8 +6,11 @@
 
 #include <sandglass/continuum/formulation.h>
 #include <sandglass/scene/partition.h>
+#include <sandglass/scene/resolution.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace Sandglass
 {
@@ -33,24 +36,30 @@ namespace Sandglass
       mesh_adapt
     };
 
-    Formulation   formulation = Formulation::plane_strain;
-    Shape         shape       = Shape::silo;
-    std::string   mesh_file;
-    bool          is_symmetric        = true;
-    double        outlet_eccentricity = 0.;
-    double        half_width          = 0.80;
-    double        wall_height         = 1.70;
-    double        outlet_half_width   = 0.225;
-    double        hopper_height       = 0.;
-    double        fall_region_depth   = 0.65;
-    double        element_size        = 0.025;
-    double        outlet_element_size = 0.; ///< 0: as element_size
-    MeshAlgorithm mesh_algorithm      = MeshAlgorithm::frontal_delaunay;
-    unsigned int  mesh_seed           = 1;
-    CellType      cell_type           = CellType::triangle;
-    unsigned int  particles_per_cell  = 4;
-    bool          outlet_is_open      = true;
-    Partitioner   partitioner         = Partitioner::metis;
+    Formulation formulation = Formulation::plane_strain;
+    Shape       shape       = Shape::silo;
+    std::string mesh_file;
+    bool        is_symmetric        = true;
+    double      outlet_eccentricity = 0.;
+    double      half_width          = 0.80;
+    double      wall_height         = 1.70;
+    double      outlet_half_width   = 0.225;
+    double      hopper_height       = 0.;
+    double      fall_region_depth   = 0.65;
+
+    /// How fine, as far as the user says; what has no value is chosen. See
+    /// resolution().
+    std::optional<double>       element_size;
+    std::optional<double>       outlet_element_size; ///< 0: as element_size
+    std::optional<unsigned int> particles_per_cell;
+    /// Edges of cells become shorter by this factor.
+    double refinement = 1.;
+
+    MeshAlgorithm mesh_algorithm = MeshAlgorithm::frontal_delaunay;
+    unsigned int  mesh_seed      = 1;
+    CellType      cell_type      = CellType::triangle;
+    bool          outlet_is_open = true;
+    Partitioner   partitioner    = Partitioner::metis;
 
     /// In m/s^2.
     std::vector<double> gravity{0., -9.81};
@@ -73,18 +82,28 @@ namespace Sandglass
       return hopper_height + wall_height;
     }
 
-    /// Whether cells are smaller at the outlet's lip than elsewhere.
-    bool
-    is_graded() const
-    {
-      return outlet_element_size > 0. && outlet_element_size < element_size;
-    }
+    /// How fine the silo is computed: the numbers given, those chosen where
+    /// there are none, and all cells smaller by the refinement.
+    Resolution
+    resolution() const;
+
+    /**
+     * Give the parameters that are `auto` the numbers chosen, as if they stood
+     * in the parameter file: then parameters.prm repeats the run, whatever a
+     * later version of the program would choose.
+     */
+    void
+    fix_resolution();
 
     /// Throws InputError where values contradict each other.
     void
     check() const;
 
   private:
+    /// The same without the refinement.
+    Resolution
+    unrefined_resolution() const;
+
     /// The part of check() for whole sections and outlets beside the middle.
     void
     check_symmetry() const;

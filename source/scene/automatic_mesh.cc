@@ -1,0 +1,125 @@
+#include <sandglass/scene/automatic_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Sandglass
+{
+  namespace
+  {
+    /// Triangles across the outlet if all were as small as those at its lip.
+    constexpr double triangles_across_outlet = 16.;
+    /// Squares across the outlet, which have one size;
+    constexpr double squares_across_outlet = 12.;
+    /// where a small outlet would ask for more than these in the silo, larger
+    /// ones.
+    constexpr double most_squares = 40000.;
+    /// Squares along the half outlet and each part of the walls, at least.
+    constexpr double fewest_along_line = 2.;
+    /// Triangles far from the outlet, across half of the silo,
+    constexpr double triangles_across_half_width = 10.;
+    /// and along the shortest part of its walls.
+    constexpr double triangles_along_wall = 4.;
+    /// Enough for cells that particles of other cells have come to.
+    constexpr unsigned int particles_per_automatic_cell = 9;
+
+
+
+    /// To three digits.
+    double
+    rounded(const double size)
+    {
+      // The number of decimals as an integer power, and a quotient of two exact
+      // numbers: the double next to the decimal number, as a file's reader has
+      // it.
+      const int    digits = 2 - static_cast<int>(std::floor(std::log10(size)));
+      const double factor = std::pow(10., std::abs(digits));
+      return digits >= 0 ? std::round(size * factor) / factor :
+                           std::round(size / factor) * factor;
+    }
+
+
+
+    /// Length of the shortest part of the silo's walls that the mesh has to
+    /// follow, in m.
+    double
+    shortest_wall(const SceneParameters &silo)
+    {
+      double shortest = silo.half_width;
+      if (silo.wall_height > 0.)
+        shortest = std::min(shortest, silo.wall_height);
+      if (silo.hopper_height > 0.)
+        shortest = std::min(shortest,
+                            std::hypot(silo.hopper_height,
+                                       silo.half_width -
+                                         std::abs(silo.outlet_eccentricity) -
+                                         silo.outlet_half_width));
+      return shortest;
+    }
+
+
+
+    /// Area of the section that material fills, in m^2.
+    double
+    filled_area(const SceneParameters &silo)
+    {
+      return (silo.is_symmetric ? 1. : 2.) *
+             (silo.half_width * silo.wall_height +
+              (silo.half_width + silo.outlet_half_width) / 2. *
+                silo.hopper_height);
+    }
+
+
+
+    /// The size of squares, in m.
+    double
+    size_of_squares(const SceneParameters &silo)
+    {
+      const double size =
+        std::max(2. * silo.outlet_half_width / squares_across_outlet,
+                 std::sqrt(filled_area(silo) / most_squares));
+      // However many it takes, outlet and walls hold some.
+      return std::min({size,
+                       silo.outlet_half_width / fewest_along_line,
+                       shortest_wall(silo) / fewest_along_line});
+    }
+
+
+
+    Resolution
+    resolution_of_triangles(const SceneParameters &silo)
+    {
+      Resolution   resolution;
+      const double elsewhere =
+        std::min(silo.half_width / triangles_across_half_width,
+                 shortest_wall(silo) / triangles_along_wall);
+      const double at_lip =
+        std::min(elsewhere,
+                 2. * silo.outlet_half_width / triangles_across_outlet);
+      const double given_at_lip =
+        silo.outlet_element_size.value_or(rounded(at_lip));
+      resolution.outlet_element_size = given_at_lip;
+      resolution.element_size        = given_at_lip > 0. ?
+                                         std::max(rounded(elsewhere), given_at_lip) :
+                                         rounded(at_lip);
+      return resolution;
+    }
+  } // namespace
+
+
+
+  Resolution
+  automatic_resolution(const SceneParameters &silo)
+  {
+    Resolution resolution;
+    if (silo.shape == SceneParameters::Shape::silo)
+      {
+        if (silo.cell_type == CellType::triangle)
+          resolution = resolution_of_triangles(silo);
+        else
+          resolution.element_size = rounded(size_of_squares(silo));
+      }
+    resolution.particles_per_cell = particles_per_automatic_cell;
+    return resolution;
+  }
+} // namespace Sandglass
