@@ -9,6 +9,7 @@
 #include <sandglass/scene/mesh_cells.h>
 #include <sandglass/scene/name_faces.h>
 #include <sandglass/scene/place_mesh.h>
+#include <sandglass/scene/section_outlet.h>
 #include <sandglass/scene/silo_section.h>
 
 #include <gmsh.h>
@@ -162,6 +163,7 @@ namespace Sandglass
           check_gravity(parameters, result.first);
           sort_along_curve(result.first);
           doubt_lengths(result.first, found);
+          doubt_outlet(parameters, result.first, found);
         }
       catch (const InputError &error)
         {
