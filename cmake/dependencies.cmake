@@ -42,9 +42,12 @@ if(SANDGLASS_BUILD_FIGURES)
     "VTK 9 with the modules ImagingCore, IOImage, IOXML, IOXMLParser, RenderingCore and RenderingFreeType (or -DSANDGLASS_BUILD_FIGURES=OFF)"
     libvtk9-dev)
 endif()
-find_package(VTK 9 QUIET COMPONENTS CommonCore CommonDataModel IOXML)
+# Charts and what is below them draw the plots of studies, into SVG files.
+find_package(VTK 9 QUIET COMPONENTS CommonCore CommonDataModel IOXML
+  ChartsCore IOExport RenderingContext2D RenderingFreeType RenderingOpenGL2)
 sandglass_require(VTK_FOUND
-  "VTK 9 with the modules CommonCore, CommonDataModel and IOXML" libvtk9-dev)
+  "VTK 9 with the modules CommonCore, CommonDataModel, IOXML, ChartsCore, IOExport, RenderingContext2D, RenderingFreeType and RenderingOpenGL2"
+  libvtk9-dev)
 
 # Gmsh's C++ API comes without a CMake package on Debian.
 find_path(GMSH_INCLUDE_DIR gmsh.h)

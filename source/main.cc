@@ -5,6 +5,7 @@
 #include <sandglass/run/parameter_file.h>
 #include <sandglass/run/print_outputs.h>
 #include <sandglass/run/run.h>
+#include <sandglass/study/study.h>
 
 #include <iostream>
 
@@ -14,12 +15,15 @@ namespace
 
   constexpr int run_failed = 1, input_refused = 2;
 
-  /// Read and check the parameters and the mesh, then run unless only this was
-  /// asked for.
+  /// Read and check the parameters and the mesh, then run, once or for a
+  /// study, unless only this was asked for.
   void
   validate_and_run(const CommandLine &command_line, const MPI_Comm communicator)
   {
-    auto settings = command_line.settings;
+    const Study *const study = command_line.task == CommandLine::Task::study ?
+                                 &find_study(command_line.study) :
+                                 nullptr;
+    auto               settings = command_line.settings;
     if (!command_line.output_directory.empty())
       settings.push_back("Output/Directory=" + command_line.output_directory);
 
@@ -31,7 +35,16 @@ namespace
     try
       {
         parameters.check();
-        run(parameters, command_line, file.warnings(), communicator);
+        parameters.scene.fix_resolution();
+        if (study != nullptr)
+          study->perform(parameters, command_line, file, communicator);
+        else
+          {
+            Log log(communicator,
+                    command_line.is_quiet ? Log::Screen::nothing :
+                                            Log::Screen::everything);
+            run(parameters, command_line, file.warnings(), communicator, log);
+          }
       }
     catch (const InputError &error)
       {

@@ -14,10 +14,15 @@ namespace Sandglass
   class Log::Splitter : public std::streambuf
   {
   public:
-    Splitter(const bool writes_screen, const bool has_terminal)
-      : writes_screen(writes_screen)
+    Splitter(const Screen screen, const bool has_terminal)
+      : screen(screen)
       , has_terminal(has_terminal)
     {}
+
+    ~Splitter() override
+    {
+      end_open_line();
+    }
 
     void
     open_file(const std::string &filename, const bool appends)
@@ -35,16 +40,18 @@ namespace Sandglass
       if (!has_terminal)
         {
           const std::string text = line + '\n';
-          xsputn(text.data(), text.size());
+          if (screen != Screen::nothing)
+            std::cout << text;
+          write_file(text.data(), text.size());
           sync();
           return;
         }
       write_file(line.data(), line.size());
       write_file("\n", 1);
-      if (writes_screen)
+      if (screen != Screen::nothing)
         // Back to the line's start, and clear it.
         std::cout << "\r\033[K" << line << std::flush;
-      has_open_line = writes_screen;
+      has_open_line = screen != Screen::nothing;
     }
 
     void
@@ -68,7 +75,7 @@ namespace Sandglass
     std::streamsize
     xsputn(const char *text, const std::streamsize size) override
     {
-      if (writes_screen)
+      if (screen == Screen::everything)
         {
           end_open_line();
           std::cout.write(text, size);
@@ -80,7 +87,7 @@ namespace Sandglass
     int
     sync() override
     {
-      if (writes_screen)
+      if (screen != Screen::nothing)
         std::cout.flush();
       if (file.is_open())
         file.flush();
@@ -105,7 +112,7 @@ namespace Sandglass
         text_before_file.append(text, size);
     }
 
-    const bool    writes_screen;
+    const Screen  screen;
     const bool    has_terminal;
     bool          has_open_line = false;
     std::string   text_before_file;
@@ -114,11 +121,11 @@ namespace Sandglass
 
 
 
-  Log::Log(const MPI_Comm communicator, const bool is_quiet)
+  Log::Log(const MPI_Comm communicator, const Screen screen)
     // mpirun connects each rank to a terminal of its own, whatever its own
     // output goes to.
     : splitter(std::make_unique<Splitter>(
-        !is_quiet,
+        screen,
         isatty(STDOUT_FILENO) != 0 &&
           dealii::Utilities::MPI::n_mpi_processes(communicator) == 1))
     , split_stream(splitter.get())

@@ -26,6 +26,10 @@ namespace Sandglass
       add("restart", "go on from the output directory's checkpoint");
       add("quiet", "print errors only");
       add("validate", "read and check the parameters and the mesh, then stop");
+      add("study",
+          options::value<std::string>()->value_name("NAME"),
+          "run the scene several times: convergence, on a sequence of meshes, "
+          "for its flow rate and how sure that is");
       add("print-parameters",
           options::value<std::string>()->implicit_value("prm")->value_name(
             "prm|md|json"),
@@ -35,6 +39,21 @@ namespace Sandglass
       add("help", "print this text");
       add("version", "print the versions of Sandglass and its libraries");
       return description;
+    }
+
+    /// What to do with a parameter file. Throws InputError where options don't
+    /// go together.
+    CommandLine::Task
+    task_of(const options::variables_map &values)
+    {
+      if (values.count("study") == 0)
+        return values.count("validate") > 0 ? CommandLine::Task::validate :
+                                              CommandLine::Task::run;
+      for (const std::string option : {"validate", "restart"})
+        if (values.count(option) > 0)
+          throw InputError("Command line: --study and --" + option +
+                           " don't go together; allowed is one of the two");
+      return CommandLine::Task::study;
     }
 
     CommandLine
@@ -62,8 +81,9 @@ namespace Sandglass
           if (values.count("file") == 0)
             throw InputError("No parameter file given.\n" +
                              command_line_help());
-          result.task =
-            values.count("validate") > 0 ? Task::validate : Task::run;
+          result.task = task_of(values);
+          if (result.task == Task::study)
+            result.study = values["study"].as<std::string>();
           result.parameter_file = values["file"].as<std::string>();
         }
       if (values.count("set") > 0)
@@ -85,6 +105,7 @@ namespace Sandglass
     text << "Usage: sandglass FILE.prm [-s \"Section/Name=value\"]... "
             "[-o DIRECTORY] [--restart] [--quiet]\n"
             "       sandglass --validate FILE.prm\n"
+            "       sandglass --study convergence FILE.prm\n"
             "       sandglass --print-parameters [prm|md|json]\n"
             "       sandglass --print-outputs\n"
             "       mpirun -n N sandglass FILE.prm\n\n"

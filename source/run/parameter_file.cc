@@ -158,7 +158,8 @@ namespace Sandglass
       {Utilities::trim(setting.substr(0, slash)),
        Utilities::trim(setting.substr(slash + 1, equals - slash - 1)),
        Utilities::trim(setting.substr(equals + 1)),
-       "-s '" + setting + "'"});
+       "-s '" + setting + "'",
+       true});
   }
 
 
@@ -230,6 +231,20 @@ namespace Sandglass
       result.push_back(filename + " sets no parameter: all that the command "
                                   "line doesn't set have their defaults.");
     return result;
+  }
+
+
+
+  bool
+  ParameterFile::is_on_command_line(const std::string &section,
+                                    const std::string &name) const
+  {
+    return std::any_of(entries.begin(),
+                       entries.end(),
+                       [&section, &name](const Entry &entry) {
+                         return entry.is_on_command_line &&
+                                entry.section == section && entry.name == name;
+                       });
   }
 
 

@@ -7,6 +7,7 @@
 #include <sandglass/output/summary.h>
 #include <sandglass/run/markdown.h>
 #include <sandglass/run/print_outputs.h>
+#include <sandglass/study/convergence_results.h>
 
 namespace Sandglass
 {
@@ -137,6 +138,12 @@ namespace Sandglass
            file("summary.json",
                 "The run so far, with every file of fields, and as a whole in "
                 "the end.") +
-           columns("Key", summary_table);
+           columns("Key", summary_table) +
+           file("study.csv of --study convergence",
+                "A row for each run; `study.svg` shows the same.") +
+           columns("Column", convergence_table) +
+           file("summary.json of --study convergence",
+                "The study so far, after each run; the runs have their own.") +
+           columns("Key", convergence_summary_table);
   }
 } // namespace Sandglass

@@ -34,7 +34,7 @@ namespace Sandglass
                  const MPI_Comm    communicator,
                  Log              &log);
 
-      void
+      RunResult
       run();
 
     private:
@@ -104,6 +104,8 @@ namespace Sandglass
       std::vector<std::string> warnings;
       Mesh<dim>                result =
         make_mesh<dim>(parameters.scene, communicator, &warnings);
+      log.stream() << "Mesh: " << result.cells.size() << " cells, "
+                   << to_text(parameters.scene.resolution()) << std::endl;
       warn(log, warnings);
       return result;
     }
@@ -122,7 +124,7 @@ namespace Sandglass
 
 
     template <int dim>
-    void
+    RunResult
     Simulation<dim>::run()
     {
       const std::optional<Checkpoint> checkpoint = find_checkpoint();
@@ -140,6 +142,7 @@ namespace Sandglass
           part->observers.observe_end(part->flow->view());
           checkpoints.at_end(*part);
           part->observers.finish();
+          return {part->observers.what_happened(), part->observers.discharge()};
         }
       catch (const RunError &error)
         {
@@ -225,14 +228,15 @@ namespace Sandglass
 
 
 
-  void
+  std::optional<RunResult>
   run(const Parameters               &parameters,
       const CommandLine              &command_line,
       const std::vector<std::string> &warnings,
-      const MPI_Comm                  communicator)
+      const MPI_Comm                  communicator,
+      Log                            &log)
   {
     const bool only_checks = command_line.task == CommandLine::Task::validate;
-    Log        log(communicator, command_line.is_quiet);
+    std::optional<RunResult> result;
     if (!only_checks)
       log.stream() << banner(communicator) << std::flush;
     warn(log, warnings);
@@ -249,7 +253,8 @@ namespace Sandglass
                                    communicator,
                                    log);
         if (!only_checks)
-          simulation.run();
+          result.emplace(simulation.run());
       });
+    return result;
   }
 } // namespace Sandglass

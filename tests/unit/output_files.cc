@@ -154,7 +154,7 @@ namespace
     const TemporaryFile file;
     testing::internal::CaptureStdout();
     {
-      Log log(MPI_COMM_SELF, true);
+      Log log(MPI_COMM_SELF, Log::Screen::nothing);
       log.stream() << "before the file is open" << std::endl;
       log.open_file(file.name, false);
       log.stream() << "number " << 7 << '\n';
@@ -164,7 +164,7 @@ namespace
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(read_text(file.name),
               "before the file is open\nnumber 7\nprogress\nerror\n");
-    Log(MPI_COMM_SELF, true).open_file(file.name, true);
+    Log(MPI_COMM_SELF, Log::Screen::nothing).open_file(file.name, true);
     EXPECT_EQ(read_lines(file.name).size(), 4);
   }
 
@@ -174,7 +174,7 @@ namespace
   {
     testing::internal::CaptureStdout();
     {
-      Log log(MPI_COMM_SELF, false);
+      Log log(MPI_COMM_SELF, Log::Screen::everything);
       log.stream() << "text" << std::endl;
       log.show_progress("progress");
       log.record_error("error");

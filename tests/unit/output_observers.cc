@@ -240,7 +240,7 @@ namespace
   {
     SmallSilo silo;
     silo.output.directory = "/dev/null/results";
-    Log log(MPI_COMM_SELF, true);
+    Log log(MPI_COMM_SELF, Log::Screen::nothing);
     try
       {
         prepare_output_directory(silo.output, false, MPI_COMM_SELF, log);

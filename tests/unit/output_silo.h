@@ -113,7 +113,7 @@ namespace Sandglass
   {
     explicit SmallRun(SmallSilo &silo)
       : silo(silo)
-      , log(silo.communicator, true)
+      , log(silo.communicator, Log::Screen::nothing)
       , timings(log.stream(), TimerOutput::never, TimerOutput::wall_times)
       , mesh(make_mesh<2>(silo.scene, silo.communicator))
       , fingerprint(ParameterAcceptor::prm, mesh)

@@ -10,13 +10,21 @@
 namespace Sandglass
 {
   /**
-   * What the program tells its user: on the screen, unless it is to be quiet,
+   * What the program tells its user: on the screen, as far as that is wanted,
    * and in a file. Only rank 0 writes.
    */
   class Log
   {
   public:
-    Log(const MPI_Comm communicator, const bool is_quiet);
+    /// What of it the screen shows; the file has all.
+    enum class Screen
+    {
+      everything,
+      progress, ///< lines about the progress only
+      nothing
+    };
+
+    Log(const MPI_Comm communicator, const Screen screen);
     ~Log();
 
     /// Stream for all text.

@@ -13,6 +13,7 @@ namespace Sandglass
     {
       run,
       validate,
+      study,
       print_parameters,
       print_outputs,
       print_help,
@@ -20,6 +21,7 @@ namespace Sandglass
     };
 
     Task                     task = Task::run;
+    std::string              study; ///< its name
     std::string              parameter_file;
     std::vector<std::string> settings;         ///< "Section/Name=value"
     std::string              output_directory; ///< empty: the parameter file's

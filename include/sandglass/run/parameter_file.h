@@ -36,6 +36,11 @@ namespace Sandglass
     std::vector<std::string>
     warnings() const;
 
+    /// Whether the command line sets a parameter.
+    bool
+    is_on_command_line(const std::string &section,
+                       const std::string &name) const;
+
     /// The error given, with file and line of the parameter to blame.
     InputError
     located(const InputError &error) const;
@@ -46,6 +51,7 @@ namespace Sandglass
     {
       std::string section, name, value;
       std::string place; ///< "file:line" or the command line's option
+      bool        is_on_command_line = false;
     };
 
     /// Throws InputError for lines without a meaning.

@@ -1,17 +1,27 @@
 #ifndef sandglass_run_run_h
 #define sandglass_run_run_h
 
+#include <sandglass/output/flow_rate.h>
 #include <sandglass/output/log.h>
+#include <sandglass/output/summary.h>
 #include <sandglass/run/command_line.h>
 #include <sandglass/run/parameters.h>
 
 #include <mpi.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace Sandglass
 {
+  /// What a run has come to; its flow rates are known on rank 0.
+  struct RunResult
+  {
+    Summary  summary;
+    FlowRate discharge;
+  };
+
   /**
    * One simulation along the way of the data: parameters, scene, static stage,
    * particles, particle stage, observers. Collective. Throws InputError before
@@ -21,12 +31,14 @@ namespace Sandglass
    * been read.
    *
    * @param warnings  about the parameter file, for the log.
+   * @return          nothing where it only checks.
    */
-  void
+  std::optional<RunResult>
   run(const Parameters               &parameters,
       const CommandLine              &command_line,
       const std::vector<std::string> &warnings,
-      const MPI_Comm                  communicator);
+      const MPI_Comm                  communicator,
+      Log                            &log);
 } // namespace Sandglass
 
 #endif

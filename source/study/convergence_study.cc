@@ -1,0 +1,368 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/base/exceptions.h>
+#include <sandglass/output/csv_file.h>
+#include <sandglass/output/log.h>
+#include <sandglass/output/output_directory.h>
+#include <sandglass/output/progress.h>
+#include <sandglass/run/run.h>
+#include <sandglass/scene/automatic_mesh.h>
+#include <sandglass/study/convergence_results.h>
+#include <sandglass/study/convergence_study.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Sandglass
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Factors of refinement, about the root of two apart.
+    constexpr double factors[] = {0.5, 0.7, 1., 1.4, 2.};
+    /// What a rate is extrapolated from, at least.
+    constexpr unsigned int fewest_runs = 3;
+    /// A study that would take longer leaves its finest meshes out; wall time
+    /// in s.
+    constexpr double longest_study = 4. * 3600.;
+    /// Times in sqrt(D / g): flow has formed; a rate can be told; the end.
+    constexpr double flow_has_formed = 3., earliest_end = 4., usual_end = 5.;
+    /// Rows of the history in such a time, at least.
+    constexpr double rows_per_time = 10.;
+
+
+
+    template <typename Value>
+    void
+    set(const std::string &section, const std::string &name, const Value &value)
+    {
+      auto &prm = ParameterAcceptor::prm;
+      prm.enter_subsection(section);
+      prm.set(name, value);
+      prm.leave_subsection();
+    }
+
+
+
+    /// To three digits, as in names of directories.
+    std::string
+    short_text(const double value)
+    {
+      std::ostringstream text;
+      text << std::setprecision(3) << value;
+      return text.str();
+    }
+
+
+
+    /// Refuse silos that have no flow rate, or no other meshes.
+    void
+    check_scene(const SceneParameters &scene)
+    {
+      if (scene.shape != SceneParameters::Shape::silo)
+        throw InputError("Scene",
+                         "Shape",
+                         "mesh file",
+                         "allowed is silo with --study convergence, which "
+                         "makes several meshes");
+      if (!scene.outlet_is_open)
+        throw InputError("Scene",
+                         "Outlet",
+                         "closed",
+                         "allowed is open with --study convergence, which is "
+                         "about the flow rate");
+      if (scene.gravity_vector<2>().norm() == 0.)
+        throw InputError("Scene",
+                         "Gravity",
+                         "0, 0",
+                         "allowed is a gravity that makes material flow with "
+                         "--study convergence");
+    }
+
+
+
+    class ConvergenceStudy
+    {
+    public:
+      /// Read the input; nothing is written yet.
+      ConvergenceStudy(Parameters          &parameters,
+                       const CommandLine   &command_line,
+                       const ParameterFile &file,
+                       const MPI_Comm       communicator)
+        : parameters(parameters)
+        , command_line(command_line)
+        , file(file)
+        , communicator(communicator)
+        , directory(parameters.output.directory)
+        , log(communicator,
+              command_line.is_quiet ? Log::Screen::nothing :
+                                      Log::Screen::everything)
+      {
+        check_scene(parameters.scene);
+        set_times();
+        find_refinements();
+      }
+
+      void
+      perform();
+
+    private:
+      /// End of the runs, and a history that resolves it.
+      void
+      set_times();
+
+      /// Those of the meshes that can be.
+      void
+      find_refinements();
+
+      /// One run, in its own directory.
+      ConvergenceRun
+      run_at(const double refinement, const std::vector<std::string> &warnings);
+
+      /// What a run has come to, the same on each rank. Collective.
+      ConvergenceRun
+      shared(const RunResult &result, const double refinement) const;
+
+      /// From the last run, for those from this one on: proportional to the
+      /// cube of the refinement, as particles and steps are.
+      double
+      estimated_seconds(const unsigned int first) const;
+
+      /// Leave out what takes too long, and say how long the rest takes.
+      void
+      plan_rest();
+
+      /// Write results so far, and the log beside them. Collective.
+      void
+      write_results(const std::string &status, const std::string &message);
+
+      Parameters          &parameters;
+      const CommandLine   &command_line;
+      const ParameterFile &file;
+      const MPI_Comm       communicator;
+      const std::string    directory;
+      Log                  log;
+      std::vector<double>  refinements;
+      ConvergenceResults   results;
+      bool                 has_log_file = false;
+    };
+
+
+
+    void
+    ConvergenceStudy::set_times()
+    {
+      const double time =
+        std::sqrt(2. * parameters.scene.outlet_half_width /
+                  parameters.scene.gravity_vector<2>().norm());
+      const double given_end = parameters.particle_stage.end_time;
+      if (given_end < earliest_end * time)
+        throw InputError("Particle stage",
+                         "End time",
+                         to_text(given_end),
+                         "allowed is at least " +
+                           short_text(earliest_end * time) +
+                           " s with --study convergence, four times the root "
+                           "of outlet width over gravity");
+      results.window_start = flow_has_formed * time;
+      results.window_end =
+        file.is_on_command_line("Particle stage", "End time") ?
+          given_end :
+          std::min(given_end, usual_end * time);
+      set("Particle stage", "End time", results.window_end);
+      set("Output",
+          "History interval",
+          std::min(parameters.output.history_interval, time / rows_per_time));
+    }
+
+
+
+    void
+    ConvergenceStudy::find_refinements()
+    {
+      const double given = parameters.scene.refinement;
+      std::string  refused;
+      for (const double factor : factors)
+        try
+          {
+            const double refinement = given * factor;
+            if (refinement < smallest_refinement ||
+                refinement > largest_refinement)
+              continue;
+            parameters.scene.refinement = refinement;
+            parameters.scene.check();
+            refinements.push_back(refinement);
+          }
+        catch (const InputError &error)
+          {
+            refused = error.what();
+          }
+      parameters.scene.refinement = given;
+      if (refinements.size() < fewest_runs)
+        throw InputError("Scene",
+                         "Refinement",
+                         to_text(given),
+                         "--study convergence needs three meshes about this "
+                         "one; " +
+                           refused);
+    }
+
+
+
+    ConvergenceRun
+    ConvergenceStudy::shared(const RunResult &result,
+                             const double     refinement) const
+    {
+      const Summary        &summary = result.summary;
+      const auto           &seconds = summary.seconds;
+      std::array<double, 4> values  = {
+         {seconds.set_up + seconds.static_stage + seconds.particle_loop +
+            seconds.output,
+          result.discharge.mean(results.window_start, results.window_end),
+          summary.flow.plateau,
+         std::isnan(summary.flow.discharge_time) ? 0. : 1.}};
+      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+        values = Utilities::MPI::broadcast(communicator, values);
+      return {summary.resolution,
+              refinement,
+              summary.n_cells,
+              summary.totals.particle_steps,
+              values[0],
+              values[1],
+              values[2],
+              values[3] > 0.};
+    }
+
+
+
+    ConvergenceRun
+    ConvergenceStudy::run_at(const double                    refinement,
+                             const std::vector<std::string> &warnings)
+    {
+      set("Scene", "Refinement", refinement);
+      set("Output",
+          "Directory",
+          directory + "/refinement-" + short_text(refinement));
+      log.stream() << "Refinement " << short_text(refinement) << ": cells "
+                   << to_text(parameters.scene.resolution()) << "; in "
+                   << parameters.output.directory << std::endl;
+
+      CommandLine run_only = command_line;
+      run_only.task        = CommandLine::Task::run;
+      Log run_log(communicator,
+                  command_line.is_quiet ? Log::Screen::nothing :
+                                          Log::Screen::progress);
+      return shared(*run(parameters, run_only, warnings, communicator, run_log),
+                    refinement);
+    }
+
+
+
+    double
+    ConvergenceStudy::estimated_seconds(const unsigned int first) const
+    {
+      const ConvergenceRun &last    = results.runs.back();
+      double                seconds = 0.;
+      for (unsigned int i = first; i < refinements.size(); ++i)
+        seconds += last.seconds * std::pow(refinements[i] / last.refinement, 3);
+      return seconds;
+    }
+
+
+
+    void
+    ConvergenceStudy::plan_rest()
+    {
+      const unsigned int n_done = results.runs.size();
+      while (refinements.size() > std::max(fewest_runs, n_done) &&
+             estimated_seconds(n_done) > longest_study)
+        {
+          log.stream() << "Refinement " << short_text(refinements.back())
+                       << " is left out: with it the study would take about "
+                       << duration_to_text(estimated_seconds(n_done))
+                       << std::endl;
+          refinements.pop_back();
+        }
+      if (n_done < refinements.size())
+        log.stream() << "  about "
+                     << duration_to_text(estimated_seconds(n_done)) << " left, "
+                     << refinements.size() - n_done << " of "
+                     << refinements.size() << " meshes" << std::endl;
+    }
+
+
+
+    void
+    ConvergenceStudy::write_results(const std::string &status,
+                                    const std::string &message)
+    {
+      results.status  = status;
+      results.message = message;
+      do_and_share_errors(communicator, [this]() {
+        if (Utilities::MPI::this_mpi_process(communicator) != 0)
+          return;
+        // The first run has made the directory.
+        if (!has_log_file)
+          log.open_file(directory + "/sandglass.log", false);
+        has_log_file = true;
+        write(results, directory);
+      });
+    }
+
+
+
+    void
+    ConvergenceStudy::perform()
+    {
+      log.stream() << "Flow rate from " << short_text(results.window_start)
+                   << " to " << short_text(results.window_end) << " s on "
+                   << refinements.size() << " meshes" << std::endl;
+      try
+        {
+          // plan_rest() shortens the list.
+          for (unsigned int i = 0; i < refinements.size(); ++i)
+            {
+              results.runs.push_back(run_at(refinements[i], file.warnings()));
+              log.stream() << "  " << short_text(results.runs.back().seconds)
+                           << " s, " << std::setprecision(4)
+                           << results.flow_rates().back() << " kg/s"
+                           << std::endl;
+              write_results("running", "");
+              plan_rest();
+            }
+        }
+      catch (const RunError &error)
+        {
+          write_results("failed", error.what());
+          log.record_error(error.what());
+          throw;
+        }
+      catch (const InputError &error)
+        {
+          // Only the first run has written nothing yet.
+          if (results.runs.empty())
+            throw;
+          write_results("failed", error.what());
+          throw RunError(error.what());
+        }
+      write_results("finished", "");
+      log.stream() << to_text(results) << "Results are in " << directory
+                   << std::endl;
+    }
+  } // namespace
+
+
+
+  void
+  study_convergence(Parameters          &parameters,
+                    const CommandLine   &command_line,
+                    const ParameterFile &file,
+                    const MPI_Comm       communicator)
+  {
+    ConvergenceStudy(parameters, command_line, file, communicator).perform();
+  }
+} // namespace Sandglass

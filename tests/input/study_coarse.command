@@ -1,0 +1,1 @@
+--study convergence -s Scene/Refinement=0.9
