@@ -10,6 +10,8 @@ namespace Sandglass
 {
   namespace
   {
+    /// Of numbers of cells.
+    constexpr double rounding = 1e-6;
     /// With fewer cells across its outlet a mesh is doubted,
     constexpr double fewest_cells = 8.;
     /// and this many are asked for.
@@ -57,13 +59,18 @@ namespace Sandglass
 
 
     std::string
-    what_to_set(const SceneParameters &parameters, const double size)
+    what_to_set(const SceneParameters &parameters, const SectionOutlet &outlet)
     {
+      const double       size = outlet.width / enough_cells;
       std::ostringstream text;
       text.precision(2);
       if (parameters.shape == SceneParameters::Shape::mesh_file)
         text << "make the mesh file's cells at the outlet's lip at most "
              << size << " m large";
+      else if (parameters.refinement < 1.)
+        text << "set Scene/Refinement = "
+             << parameters.refinement * enough_cells / outlet.n_cells()
+             << " or more";
       else
         text << "set Scene/Element size = auto, or "
              << (parameters.cell_type == CellType::triangle ?
@@ -135,7 +142,8 @@ namespace Sandglass
                            plane_error;
     for (const SectionOutlet &outlet : section_outlets(mesh))
       {
-        if (outlet.edge_at_lip == 0. || outlet.n_cells() >= fewest_cells)
+        if (outlet.edge_at_lip == 0. ||
+            outlet.n_cells() >= fewest_cells * (1. - rounding))
           continue;
         const double percent =
           5. * std::max(1., std::round(20. * error / outlet.n_cells()));
@@ -144,8 +152,8 @@ namespace Sandglass
         message << "The outlet is only " << outlet.n_cells()
                 << " cells wide, by the size of those at its lip: expect a "
                    "flow rate some "
-                << percent << " % too low; "
-                << what_to_set(parameters, outlet.width / enough_cells) << '.';
+                << percent << " % too low; " << what_to_set(parameters, outlet)
+                << '.';
         warnings.push_back(message.str());
       }
   }

@@ -140,6 +140,11 @@ namespace Sandglass
       void
       write_results(const std::string &status, const std::string &message);
 
+      /// Keep the results before the run that has just failed, and throw
+      /// RunError that names it. Collective.
+      [[noreturn]] void
+      fail(const std::string &what);
+
       Parameters          &parameters;
       const CommandLine   &command_line;
       const ParameterFile &file;
@@ -316,6 +321,19 @@ namespace Sandglass
 
 
     void
+    ConvergenceStudy::fail(const std::string &what)
+    {
+      const std::string message = "Refinement " +
+                                  short_text(refinements[results.runs.size()]) +
+                                  ": " + what;
+      write_results("failed", message);
+      log.record_error(message);
+      throw RunError(message);
+    }
+
+
+
+    void
     ConvergenceStudy::perform()
     {
       log.stream() << "Flow rate from " << short_text(results.window_start)
@@ -337,17 +355,14 @@ namespace Sandglass
         }
       catch (const RunError &error)
         {
-          write_results("failed", error.what());
-          log.record_error(error.what());
-          throw;
+          fail(error.what());
         }
       catch (const InputError &error)
         {
           // Only the first run has written nothing yet.
           if (results.runs.empty())
             throw;
-          write_results("failed", error.what());
-          throw RunError(error.what());
+          fail(error.what());
         }
       write_results("finished", "");
       log.stream() << to_text(results) << "Results are in " << directory

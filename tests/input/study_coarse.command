@@ -1,1 +1,1 @@
---study convergence -s Scene/Refinement=0.9
+--study convergence -s Scene/Refinement=10

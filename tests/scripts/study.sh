@@ -79,9 +79,10 @@ done
 # A step that is stable on the coarse meshes only.
 code=0
 "$sandglass" --study convergence "$scene" -o failed --quiet \
-  -s "Particle stage/Time step=1e-3" 2>message.txt || code=$?
+  -s "Particle stage/Time step=3e-3" 2>message.txt || code=$?
 cat message.txt
 [ $code -eq 1 ] || fail "the exit code of a study that fails is $code, expected 1"
 grep -q '"status": "failed"' failed/summary.json || fail "failure is not in summary.json"
+grep -q "^Refinement 1.4: Step .*Try a smaller" message.txt || fail "the message does not say which run failed"
 rows=$(column 1 failed/study.csv | wc -l)
 [ "$rows" -ge 1 ] && [ "$rows" -lt 5 ] || fail "$rows runs are left of a study that fails"

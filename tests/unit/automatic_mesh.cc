@@ -201,6 +201,15 @@ TEST_F(AutomaticMesh, DoubtsCoarseOutlets)
   EXPECT_NE(doubts()[0].find("Outlet element size = 0.025 or less"),
             std::string::npos);
 
+  // The same mesh by a refinement that the user may have forgotten.
+  silo.element_size = 0.1;
+  silo.refinement   = 0.5;
+  ASSERT_EQ(doubts().size(), 1);
+  EXPECT_NE(doubts()[0].find("Scene/Refinement = 4 or more"),
+            std::string::npos);
+  silo.refinement = 1.;
+
+  silo.element_size   = 0.2;
   silo.outlet_is_open = false;
   EXPECT_TRUE(doubts().empty());
   silo.outlet_is_open = true;

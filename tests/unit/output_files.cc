@@ -184,6 +184,22 @@ namespace
 
 
 
+  TEST(Log, screen_can_have_progress_only)
+  {
+    const TemporaryFile file;
+    testing::internal::CaptureStdout();
+    {
+      Log log(MPI_COMM_SELF, Log::Screen::progress);
+      log.open_file(file.name, false);
+      log.stream() << "text" << std::endl;
+      log.show_progress("progress");
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "progress\n");
+    EXPECT_EQ(read_text(file.name), "text\nprogress\n");
+  }
+
+
+
   TEST(Progress, durations)
   {
     EXPECT_EQ(duration_to_text(0.4), "0:00:00");

@@ -107,6 +107,22 @@ namespace
 
 
 
+  TEST(FlowRate, mean_between_times_is_by_interpolated_masses)
+  {
+    FlowRate flow_rate(0.1);
+    EXPECT_TRUE(std::isnan(flow_rate.mean(0., 1.)));
+    flow_rate.add(0., 0.);
+    flow_rate.add(1., 2.);
+    flow_rate.add(2., 7.);
+    EXPECT_DOUBLE_EQ(flow_rate.mean(0., 2.), 3.5);
+    EXPECT_DOUBLE_EQ(flow_rate.mean(0.5, 1.5), 4.5 - 1.);
+    EXPECT_NEAR(flow_rate.mean(1., 2. * (1. + 1e-12)), 5., 1e-9);
+    EXPECT_TRUE(std::isnan(flow_rate.mean(1., 2.1)));
+    EXPECT_TRUE(std::isnan(flow_rate.mean(-0.1, 1.)));
+  }
+
+
+
   TEST(FlowRate, plateau_is_mean_over_middle_half_of_mass)
   {
     // Slow, then 100 kg/s while the mass goes from 10 to 90 kg, then slow.
