@@ -151,9 +151,9 @@ namespace Sandglass
         message.precision(2);
         message << "The outlet is only " << outlet.n_cells()
                 << " cells wide, by the size of those at its lip: expect a "
-                   "flow rate some "
-                << percent << " % too low; " << what_to_set(parameters, outlet)
-                << '.';
+                   "flow rate that is wrong by some "
+                << percent << " %, mostly too low; "
+                << what_to_set(parameters, outlet) << '.';
         warnings.push_back(message.str());
       }
   }
