@@ -1,12 +1,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/output/csv_file.h>
 #include <sandglass/output/log.h>
 #include <sandglass/output/output_directory.h>
 #include <sandglass/output/progress.h>
 #include <sandglass/run/run.h>
-#include <sandglass/scene/automatic_mesh.h>
+#include <sandglass/study/convergence_plan.h>
 #include <sandglass/study/convergence_results.h>
 #include <sandglass/study/convergence_study.h>
 
@@ -22,66 +21,9 @@ namespace Sandglass
 
   namespace
   {
-    /// Factors of refinement, about the root of two apart.
-    constexpr double factors[] = {0.5, 0.7, 1., 1.4, 2.};
-    /// What a rate is extrapolated from, at least.
-    constexpr unsigned int fewest_runs = 3;
     /// A study that would take longer leaves its finest meshes out; wall time
     /// in s.
     constexpr double longest_study = 4. * 3600.;
-    /// Times in sqrt(D / g): flow has formed; a rate can be told; the end.
-    constexpr double flow_has_formed = 3., earliest_end = 4., usual_end = 5.;
-    /// Rows of the history in such a time, at least.
-    constexpr double rows_per_time = 10.;
-
-
-
-    template <typename Value>
-    void
-    set(const std::string &section, const std::string &name, const Value &value)
-    {
-      auto &prm = ParameterAcceptor::prm;
-      prm.enter_subsection(section);
-      prm.set(name, value);
-      prm.leave_subsection();
-    }
-
-
-
-    /// To three digits, as in names of directories.
-    std::string
-    short_text(const double value)
-    {
-      std::ostringstream text;
-      text << std::setprecision(3) << value;
-      return text.str();
-    }
-
-
-
-    /// Refuse silos that have no flow rate, or no other meshes.
-    void
-    check_scene(const SceneParameters &scene)
-    {
-      if (scene.shape != SceneParameters::Shape::silo)
-        throw InputError("Scene",
-                         "Shape",
-                         "mesh file",
-                         "allowed is silo with --study convergence, which "
-                         "makes several meshes");
-      if (!scene.outlet_is_open)
-        throw InputError("Scene",
-                         "Outlet",
-                         "closed",
-                         "allowed is open with --study convergence, which is "
-                         "about the flow rate");
-      if (scene.gravity_vector<2>().norm() == 0.)
-        throw InputError("Scene",
-                         "Gravity",
-                         "0, 0",
-                         "allowed is a gravity that makes material flow with "
-                         "--study convergence");
-    }
 
 
 
@@ -102,23 +44,16 @@ namespace Sandglass
               command_line.is_quiet ? Log::Screen::nothing :
                                       Log::Screen::everything)
       {
-        check_scene(parameters.scene);
-        set_times();
-        find_refinements();
+        const ConvergencePlan plan = plan_convergence(parameters, file);
+        refinements                = plan.refinements;
+        results.window_start       = plan.window_start;
+        results.window_end         = plan.window_end;
       }
 
       void
       perform();
 
     private:
-      /// End of the runs, and a history that resolves it.
-      void
-      set_times();
-
-      /// Those of the meshes that can be.
-      void
-      find_refinements();
-
       /// One run, in its own directory.
       ConvergenceRun
       run_at(const double refinement, const std::vector<std::string> &warnings);
@@ -158,66 +93,6 @@ namespace Sandglass
 
 
 
-    void
-    ConvergenceStudy::set_times()
-    {
-      const double time =
-        std::sqrt(2. * parameters.scene.outlet_half_width /
-                  parameters.scene.gravity_vector<2>().norm());
-      const double given_end = parameters.particle_stage.end_time;
-      if (given_end < earliest_end * time)
-        throw InputError("Particle stage",
-                         "End time",
-                         to_text(given_end),
-                         "allowed is at least " +
-                           short_text(earliest_end * time) +
-                           " s with --study convergence, four times the root "
-                           "of outlet width over gravity");
-      results.window_start = flow_has_formed * time;
-      results.window_end =
-        file.is_on_command_line("Particle stage", "End time") ?
-          given_end :
-          std::min(given_end, usual_end * time);
-      set("Particle stage", "End time", results.window_end);
-      set("Output",
-          "History interval",
-          std::min(parameters.output.history_interval, time / rows_per_time));
-    }
-
-
-
-    void
-    ConvergenceStudy::find_refinements()
-    {
-      const double given = parameters.scene.refinement;
-      std::string  refused;
-      for (const double factor : factors)
-        try
-          {
-            const double refinement = given * factor;
-            if (refinement < smallest_refinement ||
-                refinement > largest_refinement)
-              continue;
-            parameters.scene.refinement = refinement;
-            parameters.scene.check();
-            refinements.push_back(refinement);
-          }
-        catch (const InputError &error)
-          {
-            refused = error.what();
-          }
-      parameters.scene.refinement = given;
-      if (refinements.size() < fewest_runs)
-        throw InputError("Scene",
-                         "Refinement",
-                         to_text(given),
-                         "--study convergence needs three meshes about this "
-                         "one; " +
-                           refused);
-    }
-
-
-
     ConvergenceRun
     ConvergenceStudy::shared(const RunResult &result,
                              const double     refinement) const
@@ -248,10 +123,10 @@ namespace Sandglass
     ConvergenceStudy::run_at(const double                    refinement,
                              const std::vector<std::string> &warnings)
     {
-      set("Scene", "Refinement", refinement);
-      set("Output",
-          "Directory",
-          directory + "/refinement-" + short_text(refinement));
+      set_parameter("Scene", "Refinement", refinement);
+      set_parameter("Output",
+                    "Directory",
+                    directory + "/refinement-" + short_text(refinement));
       log.stream() << "Refinement " << short_text(refinement) << ": cells "
                    << to_text(parameters.scene.resolution()) << "; in "
                    << parameters.output.directory << std::endl;
@@ -283,7 +158,7 @@ namespace Sandglass
     ConvergenceStudy::plan_rest()
     {
       const unsigned int n_done = results.runs.size();
-      while (refinements.size() > std::max(fewest_runs, n_done) &&
+      while (refinements.size() > std::max(fewest_convergence_runs, n_done) &&
              estimated_seconds(n_done) > longest_study)
         {
           log.stream() << "Refinement " << short_text(refinements.back())
