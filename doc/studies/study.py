@@ -9,6 +9,7 @@ import sys
 import study_runs  # before the next, whose directory it adds to the path
 from pages import fill_all
 
+import any_silo
 import mass_matrix
 import mesh_seeds
 import outlet_sweep
@@ -17,7 +18,7 @@ import verification
 import work_precision
 
 STUDIES = {study.NAME: study
-           for study in (outlet_sweep, mesh_seeds, mass_matrix,
+           for study in (any_silo, outlet_sweep, mesh_seeds, mass_matrix,
                          performance, verification, work_precision)}
 
 

@@ -289,7 +289,9 @@ namespace Sandglass
   VerticalPart::has_wall(const WallRecord &record) const
   {
     return width > 0. && std::abs(record.normal[1]) <= small_sine &&
-           is_side(record.position[0]) && record.position[1] > foot - rounding;
+           is_side(record.position[0]) &&
+           record.position[1] > foot - rounding &&
+           record.position[1] < top + rounding;
   }
 
 

@@ -7,8 +7,11 @@ namespace Sandglass
 {
   namespace
   {
-    /// Triangles across the outlet if all were as small as those at its lip.
-    constexpr double triangles_across_outlet = 16.;
+    /// Triangles across the outlet if all were as small as those at its lip:
+    /// more where the outlet is round, whose rate goes with D^2.5 instead of
+    /// D^1.5.
+    constexpr double triangles_across_slot   = 16.;
+    constexpr double triangles_across_circle = 32.;
     /// Squares across the outlet, which have one size;
     constexpr double squares_across_outlet = 12.;
     /// where a small outlet would ask for more than these in the silo, larger
@@ -20,6 +23,8 @@ namespace Sandglass
     constexpr double triangles_across_half_width = 10.;
     /// and along the shortest part of its walls.
     constexpr double triangles_along_wall = 4.;
+    /// Of empty cells, over the half width.
+    constexpr double headroom_over_half_width = 0.2;
     /// Enough for cells that particles of other cells have come to.
     constexpr unsigned int particles_per_automatic_cell = 9;
 
@@ -95,7 +100,10 @@ namespace Sandglass
                  shortest_wall(silo) / triangles_along_wall);
       const double at_lip =
         std::min(elsewhere,
-                 2. * silo.outlet_half_width / triangles_across_outlet);
+                 2. * silo.outlet_half_width /
+                   (silo.formulation == Formulation::axisymmetric ?
+                      triangles_across_circle :
+                      triangles_across_slot));
       const double given_at_lip =
         silo.outlet_element_size.value_or(rounded(at_lip));
       resolution.outlet_element_size = given_at_lip;
@@ -105,6 +113,14 @@ namespace Sandglass
       return resolution;
     }
   } // namespace
+
+
+
+  double
+  automatic_headroom(const SceneParameters &silo)
+  {
+    return rounded(headroom_over_half_width * silo.half_width);
+  }
 
 
 

@@ -9,6 +9,7 @@
 #include <sandglass/scene/mesh_cells.h>
 #include <sandglass/scene/name_faces.h>
 #include <sandglass/scene/place_mesh.h>
+#include <sandglass/scene/section_headroom.h>
 #include <sandglass/scene/section_outlet.h>
 #include <sandglass/scene/silo_section.h>
 
@@ -161,6 +162,7 @@ namespace Sandglass
                            mesh_silo<dim>(parameters) :
                            read_mesh<dim>(parameters, found);
           check_gravity(parameters, result.first);
+          add_headroom(result.first, parameters.headroom_height());
           sort_along_curve(result.first);
           doubt_lengths(result.first, found);
           doubt_outlet(parameters, result.first, found);

@@ -86,6 +86,15 @@ namespace Sandglass
                "falls before it is removed.");
     add_automatic_number(
       *this,
+      "Headroom",
+      headroom,
+      Bounds::at_least(0.),
+      "m",
+      "Height of empty cells above the material, into which its surface may be "
+      "thrown when the outlet opens; `auto`: a fifth of the half width where "
+      "Element size is `auto` and Shape = silo, else 0.");
+    add_automatic_number(
+      *this,
       "Element size",
       element_size,
       Bounds::greater_than(0.),
@@ -195,6 +204,15 @@ namespace Sandglass
 
 
 
+  double
+  SceneParameters::headroom_height() const
+  {
+    const bool is_automatic = shape == Shape::silo && !element_size;
+    return headroom.value_or(is_automatic ? automatic_headroom(*this) : 0.);
+  }
+
+
+
   void
   SceneParameters::fix_resolution()
   {
@@ -204,6 +222,8 @@ namespace Sandglass
       prm.set(name, number);
       leave_my_subsection(prm);
     };
+    if (!headroom)
+      fix("Headroom", headroom_height());
     if (shape == Shape::silo && !outlet_element_size)
       fix("Outlet element size", resolution.outlet_element_size);
     if (shape == Shape::silo && !element_size)

@@ -74,3 +74,56 @@ TYPED_TEST(LoosenedRateTest, OfAUniformRateIsThatRate)
                     1e-11);
     }
 }
+
+
+
+// The same flow at a pressure below and above ten times rho v^2, and at none.
+TYPED_TEST(LoosenedRateTest, IsTakenWherePressureIsLowBesideInertia)
+{
+  constexpr double speed = 2.; // m/s
+  StageFixture     fixture;
+  fixture.formulation = TypeParam::Kinematics::formulation;
+  Rectangle rectangle;
+  rectangle.cell_type   = TypeParam::cell_type;
+  const auto  &stage    = fixture.start(rectangle.mesh());
+  const auto  &blocks   = stage.particles().blocks();
+  const double density  = fixture.material.density;
+  const auto   velocity = fixture.at_nodes([&](const Point<2> &) {
+    return Tensor<1, 2>({0., speed});
+  });
+  const CellGeometry<TypeParam::cell_type> geometry(*fixture.scene);
+
+  for (const double ratio : {0., 9.9, 10.1})
+    {
+      fixture.change_particles([&](const auto id, const auto &, auto state) {
+        const bool is_loosened      = id % 2 == 0;
+        state[StageLayout::density] = density * (is_loosened ? 0.99 : 1.01);
+        for (const int c : {Component::xx, Component::yy, Component::zz})
+          state[StageLayout::stress + c] = -ratio * density * speed * speed;
+      });
+      NodalSums<TypeParam>         sums(geometry,
+                                0.95 * density,
+                                std::vector<Point<2>>());
+      VolumetricAverage<TypeParam> average(*fixture.scene->nodes,
+                                           geometry,
+                                           density,
+                                           true);
+      sums.cells.compute(blocks);
+      average.cells->compute(blocks);
+      average.compute(blocks, sums, velocity);
+      for (const auto &cell : stage.particles().owned_cells())
+        EXPECT_EQ(average.has_loosened(cell->active_cell_index(), sums),
+                  ratio < 10.)
+          << "pressure over rho v^2 " << ratio;
+
+      // Where all have loosened each keeps its own rate.
+      fixture.change_particles([&](auto, const auto &, auto state) {
+        state[StageLayout::density] = 0.99 * density;
+      });
+      sums.cells.compute(blocks);
+      average.cells->compute(blocks);
+      average.compute(blocks, sums, velocity);
+      for (const auto &cell : stage.particles().owned_cells())
+        EXPECT_FALSE(average.has_loosened(cell->active_cell_index(), sums));
+    }
+}

@@ -13,6 +13,10 @@ namespace Sandglass
   /// Bounds of Scene/Refinement, which is about steps of a mesh's size.
   constexpr double smallest_refinement = 0.1, largest_refinement = 10.;
 
+  /// Height of empty cells above the material that such a mesh has, in m.
+  double
+  automatic_headroom(const SceneParameters &silo);
+
   /**
    * The mesh that suits a silo when its user says nothing, before refinement:
    * its cells at the outlet's lip are a share of the outlet's width, which

@@ -36,16 +36,17 @@ namespace Sandglass
       mesh_adapt
     };
 
-    Formulation formulation = Formulation::plane_strain;
-    Shape       shape       = Shape::silo;
-    std::string mesh_file;
-    bool        is_symmetric        = true;
-    double      outlet_eccentricity = 0.;
-    double      half_width          = 0.80;
-    double      wall_height         = 1.70;
-    double      outlet_half_width   = 0.225;
-    double      hopper_height       = 0.;
-    double      fall_region_depth   = 0.65;
+    Formulation           formulation = Formulation::plane_strain;
+    Shape                 shape       = Shape::silo;
+    std::string           mesh_file;
+    bool                  is_symmetric        = true;
+    double                outlet_eccentricity = 0.;
+    double                half_width          = 0.80;
+    double                wall_height         = 1.70;
+    double                outlet_half_width   = 0.225;
+    double                hopper_height       = 0.;
+    double                fall_region_depth   = 0.65;
+    std::optional<double> headroom; ///< none: as the program chooses
 
     /// How fine, as far as the user says; what has no value is chosen. See
     /// resolution().
@@ -86,6 +87,10 @@ namespace Sandglass
     /// there are none, and all cells smaller by the refinement.
     Resolution
     resolution() const;
+
+    /// Height of the empty cells above the material, given or chosen, in m.
+    double
+    headroom_height() const;
 
     /**
      * Give the parameters that are `auto` the numbers chosen, as if they stood

@@ -23,13 +23,15 @@ namespace Sandglass
    *
    * Particles less dense than `smallest_density` carry no stress and don't
    * count. Those that are hardly less dense have only just loosened and will
-   * resist again soon. Where others are stressed, they take an average of their
-   * own, over all particles that are not separated. With their cell's rate they
-   * would loosen where that errs to one side and become dense where it errs to
-   * the other, so that the stressed ones would be those whose cells seem to
-   * contract, and their pressure would rise as if the cells locked. To let the
-   * stressed ones count the loosened ones too would make the stiffness
-   * unsymmetric, and shake loose material (doc/tried.md).
+   * resist again soon. Where material flows so fast that this is the rule, they
+   * take an average of their own, over all particles that are not separated.
+   * With their cell's rate they would loosen where that errs to one side and
+   * become dense where it errs to the other, so that the stressed ones would be
+   * those whose cells seem to contract, and their pressure would rise as if the
+   * cells locked. To let the stressed ones count the loosened ones too would
+   * make the stiffness unsymmetric, and shake loose material. Where pressure is
+   * high beside rho v^2, such an average would drive the waves that run through
+   * a silo when its outlet opens (doc/tried.md).
    */
   template <typename Setting>
   class VolumetricAverage
@@ -93,7 +95,17 @@ namespace Sandglass
           if (values[Value::stressed_volume] > 0.)
             values[Value::stressed_rate] /= values[Value::stressed_volume];
           if (values[Value::dense_volume] > 0.)
-            values[Value::dense_rate] /= values[Value::dense_volume];
+            {
+              values[Value::dense_rate] /= values[Value::dense_volume];
+              values[Value::pressure] /= values[Value::dense_volume];
+            }
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double component = velocity.at(node)[d];
+              values[Value::pressure] -= largest_pressure_over_inertia *
+                                         smallest_density * component *
+                                         component;
+            }
         }
       nodal->update_ghosts();
     }
@@ -105,17 +117,18 @@ namespace Sandglass
       return mean_of_nodes(cell, Value::stressed_rate);
     }
 
-    /// Whether some of a cell's particles have only just loosened, and some of
-    /// its own or its neighbours' are stressed.
+    /// Whether some of a cell's particles have only just loosened and follow
+    /// rate_of_loosened(): where there is stress in their cell or its
+    /// neighbours, but not more than inertia can bring about.
     ///
     /// @param sums  as compute() takes them.
     bool
     has_loosened(const unsigned int cell, const NodalSums<Setting> &sums) const
     {
-      if (!(sums.cells[cell].values[SumsOfCell::stiff_volume] >
-            volume_of_stressed(cell)))
-        return false;
-      return mean_of_nodes(cell, Value::stressed_volume) > 0.;
+      return sums.cells[cell].values[SumsOfCell::stiff_volume] >
+               volume_of_stressed(cell) &&
+             mean_of_nodes(cell, Value::stressed_volume) > 0. &&
+             mean_of_nodes(cell, Value::pressure) < 0.;
     }
 
     /// The average in 1/s at a cell that holds such particles.
@@ -152,10 +165,14 @@ namespace Sandglass
       stressed_rate, ///< before the division, times the volume
       dense_volume,  ///< until all cells are added, of the loosened only
       dense_rate,    ///< likewise
+      pressure,      ///< less the largest with which they loosen, in Pa
       n_values
     };
 
     using SumsOfCell = CellSums<Setting, double>;
+
+    /// Largest pressure over rho v^2 where loosened particles take an average.
+    static constexpr double largest_pressure_over_inertia = 10.;
 
     void
     add_to_nodes(const unsigned int              cell,
@@ -169,11 +186,16 @@ namespace Sandglass
         (*cells)[cell].rate_times_volume(shape, velocities);
       if constexpr (!Setting::has_uniform_strain)
         rate_times_volume += stressed * rate_changes[cell].volumetric();
+      // The normal stresses are the first ones.
+      double pressure_times_volume = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        pressure_times_volume -= sums.values[SumsOfCell::stress + d] / dim;
       const auto &nodes = geometry.nodes(cell);
       for (const unsigned int node : nodes)
         {
           nodal->at(node)[Value::stressed_volume] += stressed;
           nodal->at(node)[Value::stressed_rate] += rate_times_volume;
+          nodal->at(node)[Value::pressure] += pressure_times_volume;
         }
       if (!(loosened > 0.)) // as in most cells
         return;

@@ -1,0 +1,23 @@
+#ifndef sandglass_scene_section_headroom_h
+#define sandglass_scene_section_headroom_h
+
+#include <sandglass/scene/mesh.h>
+
+namespace Sandglass
+{
+  /**
+   * Add empty cells above the faces of the top, in rows as high as these faces
+   * are long on average: when an outlet opens, the material that it unloads
+   * throws up the surface. What bounds the section below the ends of the top
+   * goes on beside these cells, which the new top closes; the old one stays
+   * the name of the material's surface.
+   *
+   * Throws InputError if a face of the top is vertical.
+   *
+   * @param height  of all rows together, in m; 0 leaves the mesh as it is.
+   */
+  void
+  add_headroom(Mesh<2> &mesh, const double height);
+} // namespace Sandglass
+
+#endif

@@ -1,0 +1,144 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/scene/make_mesh.h>
+#include <sandglass/scene/section_headroom.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stage_fixture.h"
+
+using namespace Sandglass;
+
+namespace
+{
+  double
+  area(const Mesh<2> &mesh, const bool is_filled)
+  {
+    double       result = 0.;
+    unsigned int n      = mesh.vertices_per_cell();
+    for (const auto &cell : mesh.cells)
+      if (cell.is_filled == is_filled)
+        for (unsigned int v = 0; v < n; ++v)
+          {
+            const auto &a = mesh.vertices[cell.vertices[v]];
+            const auto &b = mesh.vertices[cell.vertices[(v + 1) % n]];
+            result += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+          }
+    return result;
+  }
+
+
+
+  /// Length of the boundary of this role above a height, in m.
+  double
+  length_above(const Mesh<2> &mesh, const BoundaryRole role, const double y)
+  {
+    double result = 0.;
+    for (const auto &face : mesh.faces)
+      {
+        const auto &a = mesh.vertices[face.vertices[0]];
+        const auto &b = mesh.vertices[face.vertices[1]];
+        if (face.role == role && std::min(a[1], b[1]) > y)
+          result += a.distance(b);
+      }
+    return result;
+  }
+
+  class Headroom : public testing::TestWithParam<CellType>
+  {
+  protected:
+    Headroom()
+    {
+      silo.half_width        = 0.5;
+      silo.wall_height       = 1.;
+      silo.outlet_half_width = 0.2;
+      silo.element_size      = 0.1;
+      silo.cell_type         = GetParam();
+    }
+
+    Mesh<2>
+    mesh() const
+    {
+      return make_mesh<2>(silo, MPI_COMM_SELF, nullptr);
+    }
+
+    StageFixture::ClearedParameters cleared;
+    SceneParameters                 silo;
+  };
+} // namespace
+
+
+
+TEST_P(Headroom, ClosesTheSiloAboveTheMaterial)
+{
+  const Mesh<2> without = mesh();
+  silo.headroom         = 0.25;
+  const Mesh<2>    with = mesh();
+  constexpr double top  = 0.999;
+
+  EXPECT_NEAR(area(with, true), area(without, true), 1e-14);
+  EXPECT_NEAR(area(with, false), area(without, false) + 0.25 * 0.5, 1e-14);
+  EXPECT_NEAR(length_above(with, BoundaryRole::wall, top), 0.25, 1e-14);
+  EXPECT_NEAR(length_above(with, BoundaryRole::axis, top), 0.25, 1e-14);
+  EXPECT_NEAR(length_above(with, BoundaryRole::top, 1.001), 0.5, 1e-14);
+  EXPECT_NEAR(length_above(without, BoundaryRole::wall, top), 0., 1e-14);
+}
+
+
+
+TEST_P(Headroom, OfAWholeSectionHasBothWalls)
+{
+  silo.is_symmetric  = false;
+  silo.headroom      = 0.25;
+  const Mesh<2> with = mesh();
+  EXPECT_NEAR(length_above(with, BoundaryRole::wall, 0.999), 0.5, 1e-14);
+  EXPECT_NEAR(length_above(with, BoundaryRole::top, 1.001), 1., 1e-14);
+}
+
+
+
+// Material that is thrown up comes back, where it would have left the grid.
+TEST_P(Headroom, CatchesWhatIsThrownUp)
+{
+  for (const bool has_headroom : {false, true})
+    {
+      SCOPED_TRACE(has_headroom);
+      silo.outlet_is_open = false;
+      silo.headroom       = has_headroom ? 0.2 : 0.;
+      StageFixture fixture;
+      fixture.parameters.end_time = 1.;
+      auto &stage                 = fixture.start(mesh());
+      fixture.change_particles([](auto, const auto &, auto state) {
+        state[StageLayout::velocity + 1] = 1.; // rises by 0.05 m
+      });
+      const auto run = [&stage]() {
+        while (stage.view().clock().time < 0.5)
+          stage.step();
+      };
+      if (has_headroom)
+        {
+          EXPECT_NO_THROW(run());
+          EXPECT_EQ(stage.removed_mass().lost, 0.);
+        }
+      else
+        EXPECT_THROW(run(), RunError);
+    }
+}
+
+
+
+TEST_P(Headroom, IsChosenWithTheCells)
+{
+  EXPECT_EQ(silo.headroom_height(), 0.);
+  silo.element_size = {};
+  EXPECT_EQ(silo.headroom_height(), 0.1);
+  silo.headroom = 0.02;
+  EXPECT_EQ(silo.headroom_height(), 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(CellTypes,
+                         Headroom,
+                         testing::Values(CellType::triangle,
+                                         CellType::quadrilateral));
