@@ -188,9 +188,12 @@ namespace Sandglass
         State *released = nullptr;
         for (unsigned int s = 0; s < node.supports.size(); ++s)
           {
-            State &state = node.states[s];
+            State       &state = node.states[s];
+            const double allowed_pull =
+              node.weight.norm() +
+              std::min(0., node.supports[s].normal * node.weight);
             if (state.is_active && !state.is_bilateral &&
-                state.normal_force < -load_share * node.weight.norm() &&
+                state.normal_force < -load_share * allowed_pull &&
                 (!released || state.normal_force < released->normal_force))
               released = &state;
           }

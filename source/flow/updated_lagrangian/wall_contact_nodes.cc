@@ -47,7 +47,7 @@ namespace Sandglass
       {
         for (unsigned int d = 0; d < dim; ++d)
           node.weight[d] = weight[node.dofs[d]];
-        open_upper_supports(node);
+        open_supports(node);
       }
   }
 
@@ -98,20 +98,28 @@ namespace Sandglass
 
   template <int dim>
   void
-  WallContact<dim>::open_upper_supports(Node &node) const
+  WallContact<dim>::open_supports(Node &node) const
   {
-    const unsigned int n       = node.supports.size();
-    unsigned int       carrier = 0;
+    // As a share of the weight; a vertical wall's normal is exact to rounding.
+    constexpr double smallest_pull = 1e-3;
+
+    const auto carried_by = [&node](const unsigned int s) {
+      return node.supports[s].normal * node.weight;
+    };
+    const unsigned int n            = node.supports.size();
+    unsigned int       carrier      = 0;
+    bool               is_bilateral = false;
     for (unsigned int s = 0; s < n; ++s)
       {
-        if (node.states[s].is_bilateral)
-          return;
-        if (node.supports[s].normal * node.weight >=
-            node.supports[carrier].normal * node.weight)
+        is_bilateral = is_bilateral || node.states[s].is_bilateral;
+        if (carried_by(s) >= carried_by(carrier))
           carrier = s;
       }
     for (unsigned int s = 0; s < n; ++s)
-      node.states[s].is_active = node.states[s].was_active = s == carrier;
+      if (!node.states[s].is_bilateral)
+        node.states[s].is_active = node.states[s].was_active =
+          (is_bilateral || s == carrier) &&
+          carried_by(s) >= -smallest_pull * node.weight.norm();
   }
 
 

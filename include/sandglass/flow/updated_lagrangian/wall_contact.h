@@ -37,7 +37,8 @@ namespace Sandglass
    * leave it, and they share its force along these (see corner.h). Where two
    * walls meet, a node starts on the one that carries more of its weight: at
    * the top of a hopper it can slide, and closes the gap to the vertical wall
-   * only if it is pushed there.
+   * only if it is pushed there. Likewise nothing starts in contact with a
+   * ceiling, an insert's lower side: there it would hang, and only slide along.
    */
   template <int dim>
   class WallContact
@@ -99,7 +100,7 @@ namespace Sandglass
      * passed. Needs evaluate() at the same iterate. A pull below the node's own
      * weight is left as it is, without friction: the mesh doesn't resolve it,
      * and at the free surface the released node would often find no other
-     * place.
+     * place. From a ceiling the weight itself pulls; it is not allowed for.
      *
      * @param load_share  share of gravity that acts.
      * @return number of changes on all ranks.
@@ -166,9 +167,10 @@ namespace Sandglass
     collect_nodes(const FilledGrid<dim> &grid,
                   const Scene<dim>      &scene,
                   const WallParameters  &parameters);
-    /// Let a node that rests on several walls start on one of them.
+    /// Let a node that rests on several walls start on one of them, and open
+    /// ceilings, from which the weight pulls.
     void
-    open_upper_supports(Node &node) const;
+    open_supports(Node &node) const;
 
     void
     evaluate_node(Node                 &node,
