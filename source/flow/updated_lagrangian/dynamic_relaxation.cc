@@ -9,11 +9,13 @@ namespace Sandglass
   template <int dim>
   DynamicRelaxation<dim>::DynamicRelaxation(const FilledGrid<dim> &grid,
                                             Equilibrium<dim>      &equilibrium,
-                                            WallContact<dim>      &contact)
+                                            WallContact<dim>      &contact,
+                                            const TangentStorage   storage)
     : grid(grid)
+    , storage(storage)
     , out_of_balance(grid, equilibrium, contact)
-    , masses(grid.make_vector())
     , velocity(grid.make_vector())
+    , momentum(grid.make_vector())
     , residual_before(grid.make_vector())
     , work(grid.make_vector())
   {}
@@ -21,41 +23,32 @@ namespace Sandglass
 
 
   template <int dim>
-  void
-  DynamicRelaxation<dim>::find_masses()
+  bool
+  DynamicRelaxation<dim>::find_inertia()
   {
-    // By Gershgorin's circles no frequency is above the largest that steps of
-    // length one are stable with, 2; the rest is in reserve.
-    constexpr double reserve = 1.2;
-
-    TangentMatrix<dim> tangent(grid, TangentStorage::rows);
-    out_of_balance.assemble_tangent(1., tangent);
-    for (const auto row : grid.owned_dofs)
+    if (!stiffness)
       {
-        double      sum    = 0.;
-        const auto &matrix = tangent.stored_matrix();
-        for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-          sum += std::abs(entry->value());
-        masses[row] = 0.25 * reserve * sum;
+        stiffness         = std::make_unique<TangentMatrix<dim>>(grid, storage);
+        inverse_stiffness = make_preconditioner(grid, *stiffness);
       }
     velocity = 0.;
+    momentum = 0.;
+    out_of_balance.assemble_tangent(1., *stiffness);
+    return inverse_stiffness->update();
   }
 
 
 
   template <int dim>
   double
-  DynamicRelaxation<dim>::damping()
+  DynamicRelaxation<dim>::squared_frequency()
   {
-    work.equ(1., velocity);
-    work.scale(masses);
-    const double kinetic = work * velocity;
+    const double kinetic = momentum * velocity;
     if (kinetic == 0.)
       return 0.;
     work.equ(1., out_of_balance.residual());
     work.add(-1., residual_before);
-    const double squared_frequency = (work * velocity) / kinetic;
-    return 2. * std::sqrt(std::clamp(squared_frequency, 0., 0.8));
+    return std::max(0., (work * velocity) / kinetic);
   }
 
 
@@ -64,12 +57,21 @@ namespace Sandglass
   void
   DynamicRelaxation<dim>::step(Vector &increment)
   {
-    const double c = damping();
+    // Steps of length one are stable up to a squared frequency of 4. Where
+    // material or contact is stiffer than the elasticity that inertia is taken
+    // from, inertia grows.
+    constexpr double largest = 3., growth = 1.5;
+    // Beyond this share of critical damping steps would no longer be stable.
+    constexpr double largest_for_damping = 0.8;
+
+    const double frequency = squared_frequency();
+    if (frequency > largest)
+      inertia_factor *= growth;
+    const double c = 2. * std::sqrt(std::min(frequency, largest_for_damping));
     residual_before.equ(1., out_of_balance.residual());
-    work.equ(1., residual_before);
-    for (unsigned int i = 0; i < grid.n_owned_dofs(); ++i)
-      work.local_element(i) /= masses.local_element(i);
-    velocity.sadd((2. - c) / (2. + c), -2. / (2. + c), work);
+    momentum.sadd((2. - c) / (2. + c), -2. / (2. + c), residual_before);
+    inverse_stiffness->vmult(velocity, momentum);
+    velocity /= inertia_factor;
     increment.zero_out_ghost_values();
     increment.add(1., velocity);
     increment.update_ghost_values();
@@ -93,11 +95,12 @@ namespace Sandglass
                                 const unsigned int most_steps,
                                 Vector            &increment)
   {
-    // Contact that changes more often starts to flutter.
-    constexpr unsigned int between_contact_updates = 100;
+    // Material that has passed a wall for long is thrown back.
+    constexpr unsigned int between_contact_updates = 10;
 
-    double norm = out_of_balance.evaluate(increment);
-    find_masses();
+    inertia_factor     = 1.;
+    double norm        = out_of_balance.evaluate(increment);
+    bool   has_inertia = find_inertia();
     for (unsigned int i = 0;; ++i)
       {
         const bool is_at_rest = norm < largest_residual;
@@ -105,13 +108,13 @@ namespace Sandglass
           {
             if (out_of_balance.update_contact() > 0)
               {
-                norm = out_of_balance.evaluate(increment);
-                find_masses();
+                norm        = out_of_balance.evaluate(increment);
+                has_inertia = find_inertia();
               }
             else if (is_at_rest)
               return {true, i, norm};
           }
-        if (i >= most_steps || !std::isfinite(norm))
+        if (i >= most_steps || !std::isfinite(norm) || !has_inertia)
           return {false, i, norm};
         step(increment);
         norm = out_of_balance.evaluate(increment);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace Sandglass
 {
@@ -60,6 +59,10 @@ namespace Sandglass
     class Stall
     {
     public:
+      explicit Stall(const unsigned int patience)
+        : patience(patience)
+      {}
+
       bool
       is_seen(const double norm)
       {
@@ -69,13 +72,13 @@ namespace Sandglass
             n_since = 0;
             return false;
           }
-        return ++n_since > longest;
+        return ++n_since > patience;
       }
 
     private:
-      static constexpr unsigned int longest = 20;
-      double                        lowest = std::numeric_limits<double>::max();
-      unsigned int                  n_since = 0;
+      const unsigned int patience;
+      double             lowest  = std::numeric_limits<double>::max();
+      unsigned int       n_since = 0;
     };
 
 
@@ -89,18 +92,6 @@ namespace Sandglass
       return std::min(0.1,
                       std::max(std::sqrt(residual_norm),
                                0.3 * residual_at_rest / residual_norm));
-    }
-
-
-
-    template <int dim>
-    std::unique_ptr<TangentPreconditioner<dim>>
-    make_preconditioner(const FilledGrid<dim>    &grid,
-                        const TangentMatrix<dim> &tangent)
-    {
-      if (tangent.storage == TangentStorage::columns)
-        return std::make_unique<TangentFactors<dim>>(tangent);
-      return std::make_unique<TangentMultigrid<dim>>(grid, tangent);
     }
   } // namespace
 
@@ -198,14 +189,14 @@ namespace Sandglass
 
   template <int dim>
   NewtonResult
-  NewtonSolver<dim>::solve(const Vector      &displacement_before,
-                           const double       load_share,
-                           const unsigned int most_iterations,
-                           Vector            &increment)
+  NewtonSolver<dim>::solve(const Vector       &displacement_before,
+                           const double        load_share,
+                           const NewtonLimits &limits,
+                           Vector             &increment)
   {
     out_of_balance.start_step(displacement_before, load_share);
     const unsigned int n_before = tangent_solver.n_iterations();
-    Result             result   = iterate(most_iterations, increment);
+    Result             result   = iterate(limits, increment);
     result.n_linear_iterations  = tangent_solver.n_iterations() - n_before;
     return result;
   }
@@ -214,11 +205,10 @@ namespace Sandglass
 
   template <int dim>
   NewtonResult
-  NewtonSolver<dim>::iterate(const unsigned int most_iterations,
-                             Vector            &increment)
+  NewtonSolver<dim>::iterate(const NewtonLimits &limits, Vector &increment)
   {
     ElasticShare elastic_share;
-    Stall        stall;
+    Stall        stall(limits.patience);
     double       norm = out_of_balance.evaluate(increment);
     for (unsigned int i = 0;; ++i)
       {
@@ -230,7 +220,7 @@ namespace Sandglass
               return {true, i, 0, norm};
           }
 
-        if (i == most_iterations || !std::isfinite(norm) ||
+        if (i == limits.most_iterations || !std::isfinite(norm) ||
             stall.is_seen(norm) || !find_step(elastic_share.value(), norm))
           return {false, i, 0, norm};
 

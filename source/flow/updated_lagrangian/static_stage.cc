@@ -89,7 +89,7 @@ namespace Sandglass
   bool
   StaticStage<dim>::is_finished() const
   {
-    return !has_weight || load_share >= 1. - 1e-12;
+    return !has_weight || (is_at_rest && is_fully_loaded());
   }
 
 
@@ -114,17 +114,22 @@ namespace Sandglass
   {
     while (true)
       {
-        const double     step      = std::min(load_step, 1. - load_share);
+        const double step =
+          is_fully_loaded() ? 0. : std::min(load_step, 1. - load_share);
         const double     goal      = load_share + step;
         Vector           increment = predictor.predict(step);
         const RestResult result = solver.solve(displacement, goal, increment);
 
         count(goal, result);
-        if (result.has_converged)
+        if (result.is_acceptable)
           {
             accept(increment);
             load_share = goal;
-            predictor.add(step, increment);
+            if (step > 0.)
+              predictor.add(step, increment);
+            else
+              ++n_repetitions;
+            end_load_step(result);
             load_step = std::min(2. * load_step, 1. / parameters.n_load_steps);
             ++time.step;
             return;
@@ -133,6 +138,22 @@ namespace Sandglass
         if (load_step < parameters.smallest_load_step)
           throw RunError(failure_message(goal, result));
       }
+  }
+
+
+
+  template <int dim>
+  void
+  StaticStage<dim>::end_load_step(const RestResult &result)
+  {
+    // Nearly all that needs repetitions is at rest after one or two.
+    constexpr unsigned int most_repetitions = 20;
+
+    is_at_rest = result.has_converged || n_repetitions == most_repetitions;
+    if (is_at_rest && !result.has_converged)
+      log << "Warning: The state at rest is not quite one: the out-of-balance "
+             "force is "
+          << result.residual << " of the weight." << std::endl;
   }
 
 
@@ -150,7 +171,8 @@ namespace Sandglass
     if (result.n_relaxation_steps > 0)
       log << result.n_relaxation_steps << " steps of dynamic relaxation, ";
     log << "residual " << result.residual
-        << (!result.has_converged ? ", not converged" :
+        << (!result.is_acceptable ? ", given up" :
+            !result.has_converged ? ", not at rest" :
             result.method == RestResult::Method::relaxation ?
                                     ", by relaxation alone" :
                                     "")

@@ -113,9 +113,11 @@ namespace Sandglass
     const auto last   = values_at_vertices(filled_grid, predictor.last);
     const auto before_last =
       values_at_vertices(filled_grid, predictor.before_last);
-    archive << time << load_share << load_step << values << last
-            << predictor.last_step << before_last << predictor.before_last_step;
-    archive << effort.n_newton_iterations << effort.n_linear_iterations;
+    archive << time << load_share << is_at_rest << n_repetitions << load_step
+            << values << last << predictor.last_step << before_last
+            << predictor.before_last_step;
+    archive << effort.n_newton_iterations << effort.n_linear_iterations
+            << effort.n_relaxation_steps;
     equilibrium->save(archive);
     contact.save(archive);
   }
@@ -127,9 +129,11 @@ namespace Sandglass
   StaticStage<dim>::load(boost::archive::binary_iarchive &archive)
   {
     std::vector<double> values, last, before_last;
-    archive >> time >> load_share >> load_step >> values >> last >>
-      predictor.last_step >> before_last >> predictor.before_last_step;
-    archive >> effort.n_newton_iterations >> effort.n_linear_iterations;
+    archive >> time >> load_share >> is_at_rest >> n_repetitions >> load_step >>
+      values >> last >> predictor.last_step >> before_last >>
+      predictor.before_last_step;
+    archive >> effort.n_newton_iterations >> effort.n_linear_iterations >>
+      effort.n_relaxation_steps;
     displacement          = vector_of_values(filled_grid, values);
     predictor.last        = vector_of_values(filled_grid, last);
     predictor.before_last = vector_of_values(filled_grid, before_last);

@@ -108,9 +108,23 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)              \
-  template class TangentFactors<dim>; \
-  template class TangentMultigrid<dim>;
+  template <int dim>
+  std::unique_ptr<TangentPreconditioner<dim>>
+  make_preconditioner(const FilledGrid<dim>    &grid,
+                      const TangentMatrix<dim> &tangent)
+  {
+    if (tangent.storage == TangentStorage::columns)
+      return std::make_unique<TangentFactors<dim>>(tangent);
+    return std::make_unique<TangentMultigrid<dim>>(grid, tangent);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                    \
+  template class TangentFactors<dim>;                                       \
+  template class TangentMultigrid<dim>;                                     \
+  template std::unique_ptr<TangentPreconditioner<dim>> make_preconditioner( \
+    const FilledGrid<dim> &, const TangentMatrix<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -2,6 +2,9 @@
 #define sandglass_flow_updated_lagrangian_dynamic_relaxation_h
 
 #include <sandglass/flow/updated_lagrangian/out_of_balance.h>
+#include <sandglass/flow/updated_lagrangian/tangent_preconditioner.h>
+
+#include <memory>
 
 namespace Sandglass
 {
@@ -15,12 +18,16 @@ namespace Sandglass
 
   /**
    * One load step as the damped motion of the nodes towards rest (Underwood
-   * 1983): explicit steps of length one with fictitious masses, which make each
-   * node's motion as fast as stability allows, and a damping that follows the
-   * slowest mode in the last step.
+   * 1983): explicit steps of length one with fictitious inertia, and a damping
+   * that follows the slowest mode in the last step.
+   *
+   * The inertia is the elastic stiffness, not masses at the nodes. While
+   * material is elastic, all its modes so have one frequency, however fine the
+   * mesh is; with masses the number of steps would grow with the number of
+   * cells from wall to wall. What remains slow is plastic flow.
    *
    * It solves the same equations as NewtonSolver, from the same state, so that
-   * both have the same answer; but it needs no tangent, and goes on where
+   * both have the same answer; but it needs no exact tangent, and goes on where
    * Newton's method runs in circles between sticking, sliding and yielding.
    */
   template <int dim>
@@ -29,9 +36,12 @@ namespace Sandglass
   public:
     using Vector = DisplacementVector;
 
+    /// @param storage  of the elastic stiffness: factorized if by columns,
+    ///                 inverted approximately by multigrid if by rows.
     DynamicRelaxation(const FilledGrid<dim> &grid,
                       Equilibrium<dim>      &equilibrium,
-                      WallContact<dim>      &contact);
+                      WallContact<dim>      &contact,
+                      const TangentStorage   storage);
 
     /**
      * @param displacement_before  at the start of the load step.
@@ -61,21 +71,32 @@ namespace Sandglass
     }
 
   private:
-    /// Take masses for the contact that there is.
-    void
-    find_masses();
+    /// Stop, and take the elastic stiffness with the contact that there is;
+    /// false if it is singular.
+    bool
+    find_inertia();
 
-    /// One step on from the last evaluated iterate; `velocity` is per step.
+    /// One step on from the last evaluated iterate.
     void
     step(Vector &increment);
 
-    /// Twice the frequency of the mode that the last step followed.
+    /// The square of the frequency of the motion in the last step, by its
+    /// Rayleigh quotient; 0 at rest.
     double
-    damping();
+    squared_frequency();
 
     const FilledGrid<dim> &grid;
+    const TangentStorage   storage;
     OutOfBalance<dim>      out_of_balance;
-    Vector                 masses, velocity, residual_before, work;
+
+    /// Made when they are needed: most scenes come to rest without.
+    std::unique_ptr<TangentMatrix<dim>>         stiffness;
+    std::unique_ptr<TangentPreconditioner<dim>> inverse_stiffness;
+
+    double inertia_factor = 1.; ///< inertia over elastic stiffness
+    Vector velocity;            ///< per step
+    Vector momentum;            ///< inertia times velocity
+    Vector residual_before, work;
   };
 } // namespace Sandglass
 

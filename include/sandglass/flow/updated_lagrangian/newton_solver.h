@@ -8,6 +8,14 @@
 
 namespace Sandglass
 {
+  /// When Newton's method gives up.
+  struct NewtonLimits
+  {
+    unsigned int most_iterations;
+    /// Iterations in which the residual has to fall to a half.
+    unsigned int patience;
+  };
+
   /// How Newton's method ended.
   struct NewtonResult
   {
@@ -39,26 +47,26 @@ namespace Sandglass
      * @param[in,out] increment  of the displacement: initial guess in, result
      *                           out. Both with ghost entries.
      * @param[in]     load_share  share of gravity at the end of the step.
-     * @param[in]     most_iterations  after which it fails, or when the
-     * residual falls no longer.
+     * @param[in]     limits      where it fails.
      */
     Result
-    solve(const Vector      &displacement_before,
-          const double       load_share,
-          const unsigned int most_iterations,
-          Vector            &increment);
+    solve(const Vector       &displacement_before,
+          const double        load_share,
+          const NewtonLimits &limits,
+          Vector             &increment);
 
-    /// Whether tangents are factorized, or inverted approximately.
-    bool
-    is_direct() const
+    /// By columns if tangents are factorized, by rows if they are inverted
+    /// approximately.
+    TangentStorage
+    storage() const
     {
-      return tangent.storage == TangentStorage::columns;
+      return tangent.storage;
     }
 
   private:
     /// The iterations, without a count of linear ones.
     Result
-    iterate(const unsigned int most_iterations, Vector &increment);
+    iterate(const NewtonLimits &limits, Vector &increment);
 
     /// Solve for the Newton step at the last evaluated iterate; false if the
     /// tangent is singular.

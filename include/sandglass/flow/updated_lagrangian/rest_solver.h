@@ -18,7 +18,10 @@ namespace Sandglass
       relaxation
     };
 
-    bool         has_converged;
+    bool has_converged;
+    /// Whether the next load step can start here: at rest, or so near to it
+    /// that most of the load is carried.
+    bool         is_acceptable;
     Method       method;
     unsigned int n_newton_iterations;
     unsigned int n_linear_iterations; ///< of the TangentSolver
@@ -29,7 +32,8 @@ namespace Sandglass
   /**
    * One load step, by Newton's method where it finds the way. Where it doesn't,
    * DynamicRelaxation goes towards rest, and Newton's method tries again from
-   * nearer and nearer. Both solve the same equations from the same state.
+   * nearer and nearer. Both solve the same equations from the same state. Where
+   * that takes long, the step ends as soon as most of the load is carried.
    */
   template <int dim>
   class RestSolver
@@ -43,8 +47,8 @@ namespace Sandglass
                const StaticStageParameters &parameters);
 
     /**
-     * Contact is that of the start of the load step, and again so if the step
-     * does not converge.
+     * Contact is that of the start of the load step, and again so if the
+     * result is not acceptable.
      *
      * @param displacement_before  at the start of the load step.
      * @param load_share           share of gravity at its end.
@@ -60,17 +64,25 @@ namespace Sandglass
     bool
     is_direct() const
     {
-      return newton.is_direct();
+      return newton.storage() == TangentStorage::columns;
     }
 
   private:
     /// Newton's method; adds its effort to the result.
     bool
-    try_newton(const Vector      &displacement_before,
-               const double       load_share,
-               const unsigned int most_iterations,
-               Vector            &increment,
-               RestResult        &result);
+    try_newton(const Vector       &displacement_before,
+               const double        load_share,
+               const NewtonLimits &limits,
+               Vector             &increment,
+               RestResult         &result);
+
+    /// The relaxation until the residual is small, or until so many steps have
+    /// been made in all; adds its effort to the result.
+    bool
+    relax_to(const double       largest_residual,
+             const unsigned int most_steps,
+             Vector            &increment,
+             RestResult        &result);
 
     /// The relaxation, with Newton's method from time to time.
     void

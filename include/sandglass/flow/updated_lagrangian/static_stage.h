@@ -32,7 +32,8 @@ namespace Sandglass
   /**
    * The state at rest under gravity with the outlet closed, by the updated
    * Lagrangian finite element method (paper, Section 5; doc/theory.md): load
-   * steps of RestSolver, cut where they don't converge.
+   * steps of RestSolver, cut where they lead nowhere. Where the whole weight is
+   * carried but the material is not at rest, steps without more load follow.
    *
    * As a flow it stands still in time: a step adds load, the walls' impulses
    * are those of one second, and nothing moves.
@@ -52,8 +53,8 @@ namespace Sandglass
     StaticState<dim>
     run();
 
-    /// The next load step, cut until it converges. Collective. Throws RunError
-    /// where the smallest one doesn't.
+    /// The next load step, cut until its end is acceptable. Collective. Throws
+    /// RunError where the smallest one doesn't.
     void
     step() override;
 
@@ -123,6 +124,16 @@ namespace Sandglass
     GridRecords
     grid() const override;
 
+    bool
+    is_fully_loaded() const
+    {
+      return load_share >= 1. - 1e-12;
+    }
+
+    /// Decide whether an accepted load step has led to rest.
+    void
+    end_load_step(const RestResult &result);
+
     /// Log a load step, and add it to the effort.
     void
     count(const double load_share, const RestResult &result);
@@ -151,10 +162,12 @@ namespace Sandglass
     RestSolver<dim>                         solver;
     const bool                              has_weight;
 
-    Clock         time;            ///< counts load steps
-    double        load_share = 0.; ///< of the whole weight
-    double        load_step;       ///< to be tried next, as such a share
-    Vector        displacement;    ///< since the unloaded state
+    Clock         time;                  ///< counts load steps
+    double        load_share    = 0.;    ///< of the whole weight
+    bool          is_at_rest    = false; ///< under that load
+    unsigned int  n_repetitions = 0;     ///< load steps without more load
+    double        load_step;             ///< to be tried next, as such a share
+    Vector        displacement;          ///< since the unloaded state
     LoadPredictor predictor;
     StaticEffort  effort;
   };

@@ -99,6 +99,14 @@ namespace Sandglass
     TrilinosWrappers::PreconditionAMG::AdditionalData settings;
     TrilinosWrappers::PreconditionAMG                 multigrid;
   };
+
+
+
+  /// What fits the tangent's storage: factors for columns, multigrid for rows.
+  template <int dim>
+  std::unique_ptr<TangentPreconditioner<dim>>
+  make_preconditioner(const FilledGrid<dim>    &grid,
+                      const TangentMatrix<dim> &tangent);
 } // namespace Sandglass
 
 #endif
