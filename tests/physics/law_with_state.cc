@@ -200,7 +200,8 @@ TEST_F(LawWithState, rest_asks_the_law)
       DisplacementVector increment = grid.make_vector();
       const NewtonResult result    = solver.solve(displacement,
                                                load,
-                                               parameters.maximum_iterations,
+                                               {parameters.maximum_iterations,
+                                                   parameters.maximum_iterations},
                                                increment);
       ASSERT_TRUE(result.has_converged) << "load " << load;
       n_iterations += result.n_iterations;

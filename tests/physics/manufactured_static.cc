@@ -59,12 +59,13 @@ namespace
     errors()
     {
       FilledGrid<2>::Vector displacement = grid.make_vector();
-      EXPECT_TRUE(solver
-                    .solve(grid.make_vector(),
-                           1.,
-                           parameters.maximum_iterations,
-                           displacement)
-                    .has_converged);
+      EXPECT_TRUE(
+        solver
+          .solve(grid.make_vector(),
+                 1.,
+                 {parameters.maximum_iterations, parameters.maximum_iterations},
+                 displacement)
+          .has_converged);
       Errors result{};
       add_displacement_errors(displacement, result);
       result.stress = stress_error();
