@@ -10,6 +10,7 @@ import study_runs  # before the next, whose directory it adds to the path
 from pages import fill_all
 
 import any_silo
+import closed_silos
 import mass_matrix
 import mesh_seeds
 import outlet_sweep
@@ -18,8 +19,9 @@ import verification
 import work_precision
 
 STUDIES = {study.NAME: study
-           for study in (any_silo, outlet_sweep, mesh_seeds, mass_matrix,
-                         performance, verification, work_precision)}
+           for study in (any_silo, closed_silos, outlet_sweep, mesh_seeds,
+                         mass_matrix, performance, verification,
+                         work_precision)}
 
 
 def write_csv(name, rows):
