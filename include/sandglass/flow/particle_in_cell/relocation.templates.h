@@ -229,8 +229,12 @@ namespace Sandglass
               << (location.part.wall == no_wall ?
                     std::string(name_of(location.part.role)) :
                     walls[location.part.wall].name)
-              << ". Try a smaller Particle stage/Time step, or set On lost "
-                 "particle = remove to go on without such particles.";
+              << ". Try a smaller Particle stage/Time step"
+              << (location.part.role == BoundaryRole::top ?
+                    " or more Scene/Headroom" :
+                    "")
+              << ", or set On lost particle = remove to go on without such "
+                 "particles.";
     fault = message.str();
   }
 
