@@ -4,13 +4,13 @@ import math
 import random
 from typing import NamedTuple
 
-import numpy
-
 import run_output
+from outlet_sweep import mean_rate
 from plots import STYLE, plt, save
 from runs import make_all
 from study_runs import WITHOUT_FIELDS, study_run
 from tables import markdown, number
+from traction_tables import integral_along, rows_at
 
 NAME = "any-silo"
 NUMBER = 30
@@ -74,8 +74,7 @@ def silos():
     return [draw_silo(chance) for _ in range(NUMBER)]
 
 
-def silo_run(index, refinement):
-    silo = silos()[index]
+def silo_run(index, silo, refinement):
     young_modulus = silo.stiffness * DENSITY * GRAVITY * silo.height
     end_time = WINDOW[1] * silo.time
     settings = (("Scene/Formulation", silo.formulation),
@@ -93,49 +92,40 @@ def silo_run(index, refinement):
                 ("Particle stage/End time", end_time),
                 ("Output/Interval", end_time - WINDOW[0] * silo.time),
                 ("Output/History interval", end_time / 100))
-    run = study_run(NAME, f"silo-{index + 1}-refinement-{refinement}", SCENE,
-                    settings)
-    return run._replace(settings=run.settings + WITHOUT_FIELDS)
+    return study_run(NAME, f"silo-{index + 1}-refinement-{refinement}", SCENE,
+                     settings, WITHOUT_FIELDS)
 
 
 def make_runs():
-    make_all([silo_run(index, refinement) for index in range(NUMBER)
+    make_all([silo_run(index, silo, refinement)
+              for index, silo in enumerate(silos())
               for refinement in REFINEMENTS])
 
 
 def flow_rate(directory, silo):
     """Mean in the window, in kg/s or kg/(s m)."""
-    table = run_output.read_table(directory, "flow_rate.csv")
-    times = [bound * silo.time for bound in WINDOW]
-    first, last = numpy.interp(times, table["time_s"],
-                               table["discharged_mass_kg"])
-    return (last - first) / (times[1] - times[0])
+    return mean_rate(run_output.read_table(directory, "flow_rate.csv"),
+                     silo.time, *WINDOW)
 
 
 def wall_force(directory, silo):
     """The walls' mean normal force up to the end of the run, in N or N/m: their
     rows are means since the last output."""
-    table = run_output.read_table(directory, "wall_traction.csv")
-    end = table["time_s"][-1]
-    rows = [row for row in zip(table["time_s"], table["wall"],
-                               table["arc_length_m"], table["x_m"],
-                               table["normal_Pa"])
-            if row[0] == end and not math.isnan(row[4])]
-    force = 0.
-    for (_, wall, start, x, pressure), (_, next_wall, stop, next_x,
-                                        next_pressure) in zip(rows, rows[1:]):
-        if wall != next_wall or stop <= start:
-            continue
-        breadth = (math.pi * (x + next_x)
-                   if silo.formulation == "axisymmetric" else 1.)
-        force += (stop - start) * breadth * (pressure + next_pressure) / 2
-    return force
+    rows = [row for row in rows_at(directory, WINDOW[1] * silo.time)
+            if not math.isnan(row["normal_Pa"])]
+    for row in rows:
+        row["normal_N_per_m"] = row["normal_Pa"] * (
+            2 * math.pi * row["x_m"] if silo.formulation == "axisymmetric"
+            else 1.)
+    return sum(integral_along([row for row in rows if row["wall"] == wall],
+                              "normal_N_per_m")
+               for wall in {row["wall"] for row in rows})
 
 
 def results():
     rows = []
     for index, silo in enumerate(silos()):
-        directories = [silo_run(index, refinement).directory
+        directories = [silo_run(index, silo, refinement).directory
                        for refinement in REFINEMENTS]
         if all(map(run_output.has_ended, directories)):
             rows.append(row_of(index, silo, directories))

@@ -21,12 +21,12 @@ BAR_OUTPUT = output_of(NAME) / "bar.txt"
 def mass_run(share, repetition, part):
     """Part: `share`, or `lumped` for the run beside it without one."""
     value = share if part == "share" else 0
-    run = study_run(NAME, f"{share:g}-{part}-{repetition}",
-                    auto_scene("plane-flat-bottom", 2),
-                    (("Particle stage/Consistent mass share", value),
-                     ("Particle stage/Volumetric strain", "element"),
-                     ("Particle stage/Force integration", "particles")))
-    return run._replace(settings=run.settings + WITHOUT_OUTPUT)
+    return study_run(NAME, f"{share:g}-{part}-{repetition}",
+                     auto_scene("plane-flat-bottom", 2),
+                     (("Particle stage/Consistent mass share", value),
+                      ("Particle stage/Volumetric strain", "element"),
+                      ("Particle stage/Force integration", "particles")),
+                     WITHOUT_OUTPUT)
 
 
 def make_runs():

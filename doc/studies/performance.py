@@ -40,8 +40,8 @@ def discharge_runs(has_files):
     """With all outputs, or without VTU files; the scene's interval is the
     program's default."""
     name = "discharge" if has_files else "discharge-without-files"
-    return [study_run(NAME, f"{name}-{repetition}", SCENE, ())._replace(
-        settings=() if has_files else WITHOUT_OUTPUT)
+    return [study_run(NAME, f"{name}-{repetition}", SCENE, (),
+                      () if has_files else WITHOUT_OUTPUT)
             for repetition in range(REPETITIONS)]
 
 
@@ -52,14 +52,13 @@ def start_run(refinement, particles_per_cell=4, with_output=False):
     name = f"start-{refinement}-{particles_per_cell}"
     if with_output:
         name += "-output"
-    run = study_run(NAME, name, SCENE, (
+    return study_run(NAME, name, SCENE, (
         ("Scene/Element size", ELEMENT_SIZE / refinement),
         ("Scene/Particles per cell", particles_per_cell),
         ("Static stage/Enabled", "false"),
         ("Particle stage/Time step", time_step),
-        ("Particle stage/End time", steps * time_step)))
-    return run if with_output else run._replace(
-        settings=run.settings + WITHOUT_OUTPUT)
+        ("Particle stage/End time", steps * time_step)),
+                     () if with_output else WITHOUT_OUTPUT)
 
 
 def memory_runs(with_output):

@@ -41,8 +41,8 @@ def seed_run(case, algorithm, seed):
         settings.append(("Walls/Outlet lip", "floor"))
     if case in END_TIMES:
         settings.append(("Particle stage/End time", END_TIMES[case]))
-    run = study_run(NAME, f"{case}-{algorithm}-{seed}", scene, settings)
-    return run._replace(settings=run.settings + WITHOUT_FIELDS)
+    return study_run(NAME, f"{case}-{algorithm}-{seed}", scene, settings,
+                     WITHOUT_FIELDS)
 
 
 def cases(of=tuple(CASES)):

@@ -127,6 +127,5 @@ def silo_run(silo):
                      ("Scene/Wall height", silo.height),
                      ("Scene/Outlet half width", silo.outlet),
                      ("Scene/Hopper height", silo.hopper_height)]
-    run = study_run(NAME, str(silo.seed), auto_scene("plane-flat-bottom", 1),
-                    settings)
-    return run._replace(settings=run.settings + WITHOUT_OUTPUT)
+    return study_run(NAME, str(silo.seed), auto_scene("plane-flat-bottom", 1),
+                     settings, WITHOUT_OUTPUT)

@@ -80,9 +80,8 @@ def sweep_run(key, kind, outlet, seed):
                 ("Scene/Mesh seed", seed),
                 ("Particle stage/End time", end_time),
                 *VARIANTS[kind].settings)
-    run = study_run(NAME, f"{key}-{kind}-{outlet:g}-{seed}", silo.scene,
-                    settings)
-    return run._replace(settings=run.settings + WITHOUT_OUTPUT)
+    return study_run(NAME, f"{key}-{kind}-{outlet:g}-{seed}", silo.scene,
+                     settings, WITHOUT_OUTPUT)
 
 
 def cases():

@@ -110,8 +110,8 @@ def work_run(key, method, element):
     if METHODS[method].lip > 1:
         settings += (("Scene/Outlet element size",
                       element / METHODS[method].lip),)
-    run = study_run(NAME, f"{key}-{method}-{element:g}", silo.scene, settings)
-    return run._replace(settings=run.settings + WITHOUT_FIELDS)
+    return study_run(NAME, f"{key}-{method}-{element:g}", silo.scene, settings,
+                     WITHOUT_FIELDS)
 
 
 def cases():
