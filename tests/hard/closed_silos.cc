@@ -96,8 +96,10 @@ namespace
       {
         const bool is_ceiling = force.normal[1] > 0.5;
         if (is_ceiling)
-          EXPECT_GE(force.normal_force(), -1e-9 * fixture.weight())
-            << "at " << fixture.position_of(force);
+          {
+            EXPECT_GE(force.normal_force(), -1e-9 * fixture.weight())
+              << "at " << fixture.position_of(force);
+          }
       }
   }
 } // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "all_settings.h"
 #include "benchmark/loop_difference.h"
 
 using namespace Sandglass;
@@ -10,12 +11,7 @@ namespace
   class PlainLoopTest : public testing::Test
   {};
 
-  using Settings = testing::Types<
-    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
-    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
-    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
-    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
-  TYPED_TEST_SUITE(PlainLoopTest, Settings);
+  TYPED_TEST_SUITE(PlainLoopTest, AllSettings);
 } // namespace
 
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "all_settings.h"
 #include "random_engine.h"
 #include "stage_fixture.h"
 
@@ -108,12 +109,7 @@ namespace
   class CellStiffnessTest : public testing::Test
   {};
 
-  using Settings = testing::Types<
-    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
-    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
-    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
-    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
-  TYPED_TEST_SUITE(CellStiffnessTest, Settings);
+  TYPED_TEST_SUITE(CellStiffnessTest, AllSettings);
 } // namespace
 
 TYPED_TEST(CellStiffnessTest, IsTheElasticWorkOfStiffParticles)

@@ -308,27 +308,43 @@ TEST(CornerShares, round_wall_under_pressure)
 
 
 
+namespace
+{
+  /// The roof of an insert whose tip is on the axis.
+  struct RoofOnAxis : Walls
+  {
+    RoofOnAxis()
+    {
+      const Point<2> tip(0., 0.8), foot(0.2, 0.45);
+      normal = outward(tip, foot);
+      add("roof", tip, foot, 6, linear(tip, normal, 9e3, -2e3, 0.3));
+      mesh.faces.push_back({{{add_vertex(tip), add_vertex(Point<2>(0., 1.))}},
+                            BoundaryRole::axis});
+      at_tip = records_at(tip).at(0);
+    }
+
+    Tensor<1, 2> normal; ///< out of the material
+    unsigned int at_tip; ///< record
+  };
+} // namespace
+
+
+
 // The other half of a symmetric insert pushes back through the axis, across
 // which a wall's record has nothing.
 TEST(CornerShares, tip_of_an_insert_on_the_axis)
 {
   for (const double normal_on_axis : {0., 1.})
     {
-      Walls          walls;
-      const Point<2> tip(0., 0.8), foot(0.2, 0.45);
-      walls.add(
-        "roof", tip, foot, 6, linear(tip, outward(tip, foot), 9e3, -2e3, 0.3));
-      walls.mesh.faces.push_back(
-        {{{walls.add_vertex(tip), walls.add_vertex(Point<2>(0., 1.))}},
-         BoundaryRole::axis});
-      const unsigned int at_tip = walls.records_at(tip).at(0);
+      RoofOnAxis         walls;
+      const unsigned int at_tip = walls.at_tip;
       walls.forces[at_tip][0]   = 0.;
       if (normal_on_axis > 0.) // as at rest, where it acts along the axis only
         walls.records[at_tip].normal = Tensor<1, 3>({0., -1., 0.});
       EXPECT_NEAR(walls.largest_error(), 0., 1e-12);
       EXPECT_NEAR(
         (CornerShares(walls.mesh, walls.walls, walls.records).normal(at_tip) -
-         outward(tip, foot))
+         walls.normal)
           .norm(),
         0.,
         1e-12);
@@ -340,17 +356,11 @@ TEST(CornerShares, tip_of_an_insert_on_the_axis)
 // There only one component of the force is known: friction stays in proportion.
 TEST(CornerShares, friction_at_the_tip_of_an_insert)
 {
-  Walls          walls;
-  const Point<2> tip(0., 0.8), foot(0.2, 0.45);
-  walls.add(
-    "roof", tip, foot, 6, linear(tip, outward(tip, foot), 9e3, -2e3, 0.3));
-  walls.mesh.faces.push_back(
-    {{{walls.add_vertex(tip), walls.add_vertex(Point<2>(0., 1.))}},
-     BoundaryRole::axis});
-  const unsigned int at_tip = walls.records_at(tip).at(0);
-  walls.forces[at_tip] = Tensor<1, 3>({0., 2. * walls.forces[at_tip][1], 0.});
+  RoofOnAxis    walls;
+  Tensor<1, 3> &at_tip      = walls.forces[walls.at_tip];
+  at_tip                    = Tensor<1, 3>({0., 2. * at_tip[1], 0.});
   const auto         found  = walls.shared();
-  const Tensor<1, 2> normal = outward(tip, foot);
+  const Tensor<1, 2> normal = walls.normal;
   for (const auto &force : found)
     {
       const Tensor<1, 2> in_plane({force[0], force[1]});

@@ -8,30 +8,13 @@
 #include <cmath>
 #include <string>
 
+#include "mesh_area.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
 
 namespace
 {
-  double
-  area(const Mesh<2> &mesh, const bool is_filled)
-  {
-    double       result = 0.;
-    unsigned int n      = mesh.vertices_per_cell();
-    for (const auto &cell : mesh.cells)
-      if (cell.is_filled == is_filled)
-        for (unsigned int v = 0; v < n; ++v)
-          {
-            const auto &a = mesh.vertices[cell.vertices[v]];
-            const auto &b = mesh.vertices[cell.vertices[(v + 1) % n]];
-            result += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-          }
-    return result;
-  }
-
-
-
   /// Length of the boundary of this role above a height, in m.
   double
   length_above(const Mesh<2> &mesh, const BoundaryRole role, const double y)

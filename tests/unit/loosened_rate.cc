@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "all_settings.h"
 #include "random_engine.h"
 #include "stage_fixture.h"
 
@@ -14,12 +15,38 @@ namespace
   class LoosenedRateTest : public testing::Test
   {};
 
-  using Settings = testing::Types<
-    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
-    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
-    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
-    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
-  TYPED_TEST_SUITE(LoosenedRateTest, Settings);
+  TYPED_TEST_SUITE(LoosenedRateTest, AllSettings);
+
+
+
+  /// The average and the sums that it is found from.
+  template <typename Setting>
+  struct AverageOfCells
+  {
+    using Geometry = CellGeometry<Setting::cell_type>;
+
+    /// @param points  see CellIntegration.
+    AverageOfCells(const StageFixture          &fixture,
+                   const Geometry              &geometry,
+                   const std::vector<Point<2>> &points = {})
+      : fixture(fixture)
+      , sums(geometry, 0.95 * fixture.material.density, points)
+      , rates(*fixture.scene->nodes, geometry, fixture.material.density, true)
+    {}
+
+    void
+    compute(const NodalField<2> &velocity)
+    {
+      const auto &blocks = fixture.stage->particles().blocks();
+      sums.cells.compute(blocks);
+      rates.cells->compute(blocks);
+      rates.compute(blocks, sums, velocity);
+    }
+
+    const StageFixture        &fixture;
+    NodalSums<Setting>         sums;
+    VolumetricAverage<Setting> rates;
+  };
 } // namespace
 
 
@@ -36,7 +63,6 @@ TYPED_TEST(LoosenedRateTest, OfAUniformRateIsThatRate)
     return Point<2>(p[0] + 0.07 * p[0] * p[1], p[1] - 0.05 * p[0]);
   };
   const auto  &stage   = fixture.start(rectangle.mesh());
-  const auto  &blocks  = stage.particles().blocks();
   const double density = fixture.material.density;
 
   // From separated to stressed.
@@ -55,20 +81,14 @@ TYPED_TEST(LoosenedRateTest, OfAUniformRateIsThatRate)
     {
       using Configuration = InitialConfiguration<typename TypeParam::Kinematics,
                                                  TypeParam::cell_type>;
-      NodalSums<TypeParam> sums(
+      AverageOfCells<TypeParam> average(
+        fixture,
         geometry,
-        0.95 * density,
         by_cell ? Configuration(*fixture.scene, geometry).points :
                   std::vector<Point<2>>());
-      VolumetricAverage<TypeParam> average(*fixture.scene->nodes,
-                                           geometry,
-                                           density,
-                                           true);
-      sums.cells.compute(blocks);
-      average.cells->compute(blocks);
-      average.compute(blocks, sums, velocity);
+      average.compute(velocity);
       for (const auto &cell : stage.particles().owned_cells())
-        EXPECT_NEAR(average.rate_of_loosened(cell->active_cell_index()) /
+        EXPECT_NEAR(average.rates.rate_of_loosened(cell->active_cell_index()) /
                       expected,
                     1.,
                     1e-11);
@@ -86,7 +106,6 @@ TYPED_TEST(LoosenedRateTest, IsTakenWherePressureIsLowBesideInertia)
   Rectangle rectangle;
   rectangle.cell_type   = TypeParam::cell_type;
   const auto  &stage    = fixture.start(rectangle.mesh());
-  const auto  &blocks   = stage.particles().blocks();
   const double density  = fixture.material.density;
   const auto   velocity = fixture.at_nodes([&](const Point<2> &) {
     return Tensor<1, 2>({0., speed});
@@ -101,18 +120,11 @@ TYPED_TEST(LoosenedRateTest, IsTakenWherePressureIsLowBesideInertia)
         for (const int c : {Component::xx, Component::yy, Component::zz})
           state[StageLayout::stress + c] = -ratio * density * speed * speed;
       });
-      NodalSums<TypeParam>         sums(geometry,
-                                0.95 * density,
-                                std::vector<Point<2>>());
-      VolumetricAverage<TypeParam> average(*fixture.scene->nodes,
-                                           geometry,
-                                           density,
-                                           true);
-      sums.cells.compute(blocks);
-      average.cells->compute(blocks);
-      average.compute(blocks, sums, velocity);
+      AverageOfCells<TypeParam> average(fixture, geometry);
+      average.compute(velocity);
       for (const auto &cell : stage.particles().owned_cells())
-        EXPECT_EQ(average.has_loosened(cell->active_cell_index(), sums),
+        EXPECT_EQ(average.rates.has_loosened(cell->active_cell_index(),
+                                             average.sums),
                   ratio < 10.)
           << "pressure over rho v^2 " << ratio;
 
@@ -120,10 +132,9 @@ TYPED_TEST(LoosenedRateTest, IsTakenWherePressureIsLowBesideInertia)
       fixture.change_particles([&](auto, const auto &, auto state) {
         state[StageLayout::density] = 0.99 * density;
       });
-      sums.cells.compute(blocks);
-      average.cells->compute(blocks);
-      average.compute(blocks, sums, velocity);
+      average.compute(velocity);
       for (const auto &cell : stage.particles().owned_cells())
-        EXPECT_FALSE(average.has_loosened(cell->active_cell_index(), sums));
+        EXPECT_FALSE(
+          average.rates.has_loosened(cell->active_cell_index(), average.sums));
     }
 }

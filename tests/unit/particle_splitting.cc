@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "all_settings.h"
 #include "random_engine.h"
 #include "stage_fixture.h"
 
@@ -138,12 +139,7 @@ namespace
     std::unique_ptr<NodalSums<TypeParam>> sums;
   };
 
-  using Settings = testing::Types<
-    Setting<PlaneStrain, CellType::triangle, DruckerPrager>,
-    Setting<PlaneStrain, CellType::quadrilateral, DruckerPrager>,
-    Setting<Axisymmetric, CellType::triangle, DruckerPrager>,
-    Setting<Axisymmetric, CellType::quadrilateral, DruckerPrager>>;
-  TYPED_TEST_SUITE(ParticleSplittingTest, Settings);
+  TYPED_TEST_SUITE(ParticleSplittingTest, AllSettings);
 } // namespace
 
 

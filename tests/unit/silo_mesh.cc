@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh_area.h"
 #include "stage_fixture.h"
 
 using namespace Sandglass;
@@ -32,23 +33,6 @@ namespace
       silo.fall_region_depth   = 0.3;
       silo.element_size        = 0.1;
       silo.check();
-    }
-
-    double
-    area(const Mesh<2> &mesh, const bool is_filled) const
-    {
-      double area = 0.;
-      for (const auto &cell : mesh.cells)
-        if (cell.is_filled == is_filled)
-          for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
-            {
-              const auto &a = mesh.vertices[cell.vertices[v]];
-              const auto &b =
-                mesh
-                  .vertices[cell.vertices[(v + 1) % mesh.vertices_per_cell()]];
-              area += (a[0] * b[1] - a[1] * b[0]) / 2.;
-            }
-      return area;
     }
 
     double
