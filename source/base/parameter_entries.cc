@@ -108,9 +108,27 @@ namespace Sandglass
 
 
   bool
+  OptionalNumber::is_none(const std::string &text) const
+  {
+    return Utilities::trim(text) == none;
+  }
+
+
+
+  std::optional<double>
+  OptionalNumber::parse(const std::string &text) const
+  {
+    if (is_none(text))
+      return {};
+    return Utilities::string_to_double(text);
+  }
+
+
+
+  bool
   OptionalNumber::match(const std::string &text) const
   {
-    return Utilities::trim(text).empty() || number.match(text);
+    return is_none(text) || number.match(text);
   }
 
 
@@ -118,7 +136,8 @@ namespace Sandglass
   std::string
   OptionalNumber::description(const OutputStyle style) const
   {
-    return "nothing, or " + number.description(style);
+    return (none.empty() ? "nothing" : none) + ", or " +
+           number.description(style);
   }
 
 
@@ -205,21 +224,44 @@ namespace Sandglass
 
   namespace
   {
-    /// Declare an entry that is empty by default and whose text `read` turns
-    /// into a variable's value.
+    /// Declare an entry whose text `read` turns into a variable's value.
     template <typename Read>
     void
-    add_empty_entry(ParameterAcceptor           &section,
-                    const std::string           &name,
-                    const Patterns::PatternBase &pattern,
-                    const std::string           &documentation,
-                    const Read                  &read)
+    add_entry(ParameterAcceptor           &section,
+              const std::string           &name,
+              const std::string           &default_text,
+              const Patterns::PatternBase &pattern,
+              const std::string           &documentation,
+              const Read                  &read)
     {
       auto &prm = section.prm;
       section.enter_my_subsection(prm);
-      prm.declare_entry(name, "", pattern, documentation);
+      prm.declare_entry(name, default_text, pattern, documentation);
       prm.add_action(name, read);
       section.leave_my_subsection(prm);
+    }
+
+
+
+    /// Declare a number, or by default the word `none` for no value.
+    void
+    add_number_or_none(ParameterAcceptor     &section,
+                       const std::string     &name,
+                       std::optional<double> &variable,
+                       const BoundedNumber   &bounds,
+                       const std::string     &none,
+                       const std::string     &unit,
+                       const std::string     &documentation)
+    {
+      const OptionalNumber pattern(bounds, none);
+      add_entry(section,
+                name,
+                none,
+                pattern,
+                documentation + " Units: " + unit + ".",
+                [pattern, &variable](const std::string &text) {
+                  variable = pattern.parse(text);
+                });
     }
   } // namespace
 
@@ -250,15 +292,22 @@ namespace Sandglass
                       const std::string     &unit,
                       const std::string     &documentation)
   {
-    add_empty_entry(section,
-                    name,
-                    OptionalNumber(bounds),
-                    documentation + " Units: " + unit + ".",
-                    [&variable](const std::string &text) {
-                      variable.reset();
-                      if (!Utilities::trim(text).empty())
-                        variable = Utilities::string_to_double(text);
-                    });
+    add_number_or_none(
+      section, name, variable, bounds, "", unit, documentation);
+  }
+
+
+
+  void
+  add_automatic_number(ParameterAcceptor     &section,
+                       const std::string     &name,
+                       std::optional<double> &variable,
+                       const BoundedNumber   &bounds,
+                       const std::string     &unit,
+                       const std::string     &documentation)
+  {
+    add_number_or_none(
+      section, name, variable, bounds, automatic, unit, documentation);
   }
 
 
@@ -271,13 +320,14 @@ namespace Sandglass
                     const std::string         &unit,
                     const std::string         &documentation)
   {
-    add_empty_entry(section,
-                    name,
-                    pattern,
-                    documentation + " Units: " + unit + ".",
-                    [pattern, &variable](const std::string &text) {
-                      variable = pattern.parse(text).value_or(NamedNumbers());
-                    });
+    add_entry(section,
+              name,
+              "",
+              pattern,
+              documentation + " Units: " + unit + ".",
+              [pattern, &variable](const std::string &text) {
+                variable = pattern.parse(text).value_or(NamedNumbers());
+              });
   }
 
 

@@ -78,20 +78,29 @@ namespace Sandglass
 
 
   double
+  FlowRate::interpolate(const double Sample::*known,
+                        const double          value,
+                        const double Sample::*wanted) const
+  {
+    const auto after =
+      std::find_if(samples.begin(), samples.end(), [&](const Sample &sample) {
+        return sample.*known >= value;
+      });
+    if (after == samples.end())
+      return samples.back().*wanted;
+    if (after == samples.begin())
+      return (*after).*wanted;
+    const Sample &next = *after, &last = *std::prev(after);
+    return last.*wanted + (next.*wanted - last.*wanted) *
+                            (value - last.*known) / (next.*known - last.*known);
+  }
+
+
+
+  double
   FlowRate::mass_at(const double time) const
   {
-    const auto after = std::find_if(samples.begin(),
-                                    samples.end(),
-                                    [time](const Sample &sample) {
-                                      return sample.time >= time;
-                                    });
-    if (after == samples.end())
-      return samples.back().mass;
-    if (after == samples.begin())
-      return after->mass;
-    const auto before = std::prev(after);
-    return before->mass + (after->mass - before->mass) * (time - before->time) /
-                            (after->time - before->time);
+    return interpolate(&Sample::time, time, &Sample::mass);
   }
 
 
@@ -164,15 +173,6 @@ namespace Sandglass
   double
   FlowRate::time_of(const double mass) const
   {
-    const auto after = std::find_if(samples.begin(),
-                                    samples.end(),
-                                    [mass](const Sample &sample) {
-                                      return sample.mass >= mass;
-                                    });
-    if (after == samples.begin())
-      return after->time;
-    const auto before = std::prev(after);
-    return before->time + (after->time - before->time) * (mass - before->mass) /
-                            (after->mass - before->mass);
+    return interpolate(&Sample::mass, mass, &Sample::time);
   }
 } // namespace Sandglass

@@ -1,4 +1,3 @@
-#include <sandglass/base/automatic_number.h>
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/scene/automatic_mesh.h>
 #include <sandglass/scene/scene_parameters.h>
@@ -217,19 +216,17 @@ namespace Sandglass
   SceneParameters::fix_resolution()
   {
     const Resolution resolution = unrefined_resolution();
-    const auto       fix = [this](const std::string &name, const auto number) {
-      enter_my_subsection(prm);
-      prm.set(name, number);
-      leave_my_subsection(prm);
-    };
     if (!headroom)
-      fix("Headroom", headroom_height());
+      set_parameter("Scene", "Headroom", headroom_height());
     if (shape == Shape::silo && !outlet_element_size)
-      fix("Outlet element size", resolution.outlet_element_size);
+      set_parameter("Scene",
+                    "Outlet element size",
+                    resolution.outlet_element_size);
     if (shape == Shape::silo && !element_size)
-      fix("Element size", resolution.element_size);
+      set_parameter("Scene", "Element size", resolution.element_size);
     if (!particles_per_cell)
-      fix("Particles per cell",
-          static_cast<long int>(resolution.particles_per_cell));
+      set_parameter("Scene",
+                    "Particles per cell",
+                    static_cast<long int>(resolution.particles_per_cell));
   }
 } // namespace Sandglass

@@ -1,4 +1,5 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/parameter_entries.h>
 #include <sandglass/output/csv_file.h>
 #include <sandglass/scene/automatic_mesh.h>
 #include <sandglass/study/convergence_plan.h>

@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/parameter_entries.h>
 #include <sandglass/output/log.h>
 #include <sandglass/output/output_directory.h>
 #include <sandglass/output/progress.h>

@@ -60,13 +60,23 @@ namespace Sandglass
     bool   includes_upper;
   };
 
-  /// Pattern of a BoundedNumber, or of nothing.
+  /// What a parameter file says where the program is to choose.
+  inline constexpr char automatic[] = "auto";
+
+  /// Pattern of a BoundedNumber, or of a word that stands for none.
   class OptionalNumber : public dealii::Patterns::PatternBase
   {
   public:
-    explicit OptionalNumber(const BoundedNumber &number)
+    /// @param none  the word; empty for nothing at all.
+    explicit OptionalNumber(const BoundedNumber &number,
+                            const std::string   &none = "")
       : number(number)
+      , none(none)
     {}
+
+    /// The number that a matching text stands for, if any.
+    std::optional<double>
+    parse(const std::string &text) const;
 
     bool
     match(const std::string &text) const override;
@@ -78,7 +88,11 @@ namespace Sandglass
     clone() const override;
 
   private:
+    bool
+    is_none(const std::string &text) const;
+
     BoundedNumber number;
+    std::string   none;
   };
 
   /// One or several numbers for each of some names.
@@ -140,6 +154,16 @@ namespace Sandglass
                       const std::string         &unit,
                       const std::string         &documentation);
 
+  /// Declare a real parameter that is `auto` by default; the variable has no
+  /// value then.
+  void
+  add_automatic_number(dealii::ParameterAcceptor &section,
+                       const std::string         &name,
+                       std::optional<double>     &variable,
+                       const BoundedNumber       &bounds,
+                       const std::string         &unit,
+                       const std::string         &documentation);
+
   /// Declare a list of numbers by name, by default empty.
   void
   add_named_numbers(dealii::ParameterAcceptor &section,
@@ -199,6 +223,19 @@ namespace Sandglass
           variable = value;
     });
     section.leave_my_subsection(prm);
+  }
+
+  /// Set a parameter as a parameter file does.
+  template <typename Value>
+  void
+  set_parameter(const std::string &section,
+                const std::string &name,
+                const Value       &value)
+  {
+    auto &prm = dealii::ParameterAcceptor::prm;
+    prm.enter_subsection(section);
+    prm.set(name, value);
+    prm.leave_subsection();
   }
 } // namespace Sandglass
 

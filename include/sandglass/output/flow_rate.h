@@ -93,6 +93,13 @@ namespace Sandglass
     double
     time_of(const double mass) const;
 
+    /// A sample's value where another one of its values, which doesn't fall,
+    /// reaches `value`: linear between samples, the last one's beyond.
+    double
+    interpolate(const double Sample::*known,
+                const double          value,
+                const double Sample::*wanted) const;
+
     /// The discharged mass in kg at a time in s between the first and the last
     /// sample's, interpolated linearly.
     double

@@ -1,8 +1,6 @@
 #ifndef sandglass_study_convergence_plan_h
 #define sandglass_study_convergence_plan_h
 
-#include <deal.II/base/parameter_acceptor.h>
-
 #include <sandglass/run/parameter_file.h>
 #include <sandglass/run/parameters.h>
 
@@ -30,19 +28,6 @@ namespace Sandglass
    */
   ConvergencePlan
   plan_convergence(Parameters &parameters, const ParameterFile &file);
-
-  /// Set a parameter as a parameter file does.
-  template <typename Value>
-  void
-  set_parameter(const std::string &section,
-                const std::string &name,
-                const Value       &value)
-  {
-    auto &prm = dealii::ParameterAcceptor::prm;
-    prm.enter_subsection(section);
-    prm.set(name, value);
-    prm.leave_subsection();
-  }
 
   /// A number with three digits, as in names of directories.
   std::string
