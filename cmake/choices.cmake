@@ -1,7 +1,8 @@
 # The one table of compile-time choices. What is not listed is not compiled, and
 # not offered; what is listed is compiled with all others of its dimension, each
-# kinematics with each cell type in a file of its own, so that they compile at
-# the same time.
+# kinematics with each cell type in files of their own, so that they compile at
+# the same time. Of the particle stage only the pass over the particles is
+# compiled for each law.
 
 # How the grid's dimensions stand for space: dimension and class, which
 # include/sandglass/continuum has in a file of its name.
@@ -17,7 +18,9 @@ set(choices_of_cell_types
 # Constitutive laws that Material/Model offers: the class, which
 # include/sandglass/material has in a file of its name.
 set(choices_of_laws
-  DruckerPrager)
+  DruckerPrager
+  MatsuokaNakai
+  MuI)
 
 
 # --- What follows from it ------------------------------------------------------
@@ -30,6 +33,9 @@ function(sandglass_file_of result class)
 endfunction()
 
 set(choices_includes "")
+list(TRANSFORM choices_of_laws REPLACE "(.+)" "INSTANTIATE(\\1)"
+  OUTPUT_VARIABLE laws_to_instantiate)
+list(JOIN laws_to_instantiate " " laws_to_instantiate)
 set(choices_dimensions "")
 set(kinematics_list "")
 set(cell_type_list "")
@@ -53,6 +59,9 @@ foreach(entry ${choices_of_kinematics})
     if(dimension EQUAL cells_dimension)
       set(source ${PROJECT_BINARY_DIR}/source/particle_stage_${file}_${cell_type}.cc)
       configure_file(${CMAKE_CURRENT_LIST_DIR}/particle_stage.cc.in ${source} @ONLY)
+      list(APPEND choices_sources ${source})
+      set(source ${PROJECT_BINARY_DIR}/source/particle_laws_${file}_${cell_type}.cc)
+      configure_file(${CMAKE_CURRENT_LIST_DIR}/particle_laws.cc.in ${source} @ONLY)
       list(APPEND choices_sources ${source})
     endif()
   endforeach()

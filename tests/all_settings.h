@@ -4,23 +4,18 @@
 #include <sandglass/continuum/axisymmetric.h>
 #include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/particle_in_cell/setting.h>
-#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
 /// The kinematics and cell types of the section, for typed tests.
 using AllSettings =
   testing::Types<Sandglass::Setting<Sandglass::PlaneStrain,
-                                    Sandglass::CellType::triangle,
-                                    Sandglass::DruckerPrager>,
+                                    Sandglass::CellType::triangle>,
                  Sandglass::Setting<Sandglass::PlaneStrain,
-                                    Sandglass::CellType::quadrilateral,
-                                    Sandglass::DruckerPrager>,
+                                    Sandglass::CellType::quadrilateral>,
                  Sandglass::Setting<Sandglass::Axisymmetric,
-                                    Sandglass::CellType::triangle,
-                                    Sandglass::DruckerPrager>,
+                                    Sandglass::CellType::triangle>,
                  Sandglass::Setting<Sandglass::Axisymmetric,
-                                    Sandglass::CellType::quadrilateral,
-                                    Sandglass::DruckerPrager>>;
+                                    Sandglass::CellType::quadrilateral>>;
 
 #endif

@@ -91,6 +91,11 @@ struct StageFixture
     }
   };
 
+  StageFixture()
+  {
+    material.yield_cone = Sandglass::YieldCone::paper;
+  }
+
   ClearedParameters                  cleared;
   Sandglass::MaterialParameters      material;
   Sandglass::WallParameters          walls;

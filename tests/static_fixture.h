@@ -30,6 +30,11 @@ struct StaticFixture
     }
   };
 
+  StaticFixture()
+  {
+    material.yield_cone = Sandglass::YieldCone::paper;
+  }
+
   ClearedParameters                cleared;
   Sandglass::SceneParameters       silo; ///< for run_silo()
   Sandglass::MaterialParameters    material;

@@ -16,6 +16,9 @@ public:
   static constexpr std::array<Sandglass::StateVariable, 2> state_variables = {
     {{"void ratio", "1", 1}, {"summed strain", "1", 4}}};
 
+  static constexpr std::array<Sandglass::LawConstant, 0> law_constants = {};
+
+  static constexpr bool has_cohesion           = false;
   static constexpr bool has_constant_stiffness = false;
 
   static constexpr double initial_void_ratio = 0.8;
@@ -30,6 +33,12 @@ public:
   initial_state() const
   {
     return {{initial_void_ratio, 0., 0., 0., 0.}};
+  }
+
+  double
+  loosest_density_share() const
+  {
+    return 1.;
   }
 
   /// The strain: stiffness depends on each particle's stress.

@@ -3,6 +3,7 @@
 
 #include <sandglass/choices_table.h>
 #include <sandglass/continuum/formulation.h>
+#include <sandglass/material/material_constants.h>
 
 #include <string>
 
@@ -48,14 +49,16 @@ namespace Sandglass
       });
   }
 
-  /// Call `function(TypeTag<Law>())` for the law of this name.
+  /// Call `function(TypeTag<Law>())` for the law that the constants ask for.
   template <typename Function>
   void
-  choose_law(const std::string &name, const Function &function)
+  choose_law(const MaterialConstants &constants, const Function &function)
   {
     choose(
       AllLaws(),
-      [&name](const auto law) { return name == decltype(law)::Type::name; },
+      [&constants](const auto law) {
+        return decltype(law)::Type::is_meant(constants);
+      },
       function);
   }
 

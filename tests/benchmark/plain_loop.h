@@ -8,6 +8,7 @@
 #include <sandglass/flow/particle_in_cell/particle_motion.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
 #include <sandglass/flow/particle_in_cell/stress_update.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <stdexcept>
 #include <vector>
@@ -30,7 +31,7 @@ public:
   using Handler    = dealii::Particles::ParticleHandler<dim>;
   using Iterator   = dealii::Particles::ParticleIterator<dim>;
   using Layout     = typename Setting::Layout;
-  using Law        = typename Setting::Law;
+  using Law        = Sandglass::DruckerPrager;
   using Geometry   = Sandglass::CellGeometry<Setting::cell_type>;
   using Shape      = typename Setting::Shape;
   using Relocation = Sandglass::Relocation<Setting>;

@@ -1,4 +1,5 @@
 #include <sandglass/flow/particle_in_cell/particle_pass.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ namespace
   {
   protected:
     static constexpr CellType cell_type = CellTypeConstant::value;
-    using CellSetting = Setting<Axisymmetric, cell_type, DruckerPrager>;
+    using CellSetting = Setting<Axisymmetric, cell_type>;
 
     AxisymmetricKinematics()
     {
@@ -86,7 +87,7 @@ namespace
       average.compute(fixture.stage->particles().blocks(), sums, velocity);
       Strays<StageLayout> strays;
       fixture.stage->edit_blocks([&](auto &blocks) {
-        ParticlePass<CellSetting, true>(geometry,
+        ParticlePass<CellSetting, DruckerPrager, true>(geometry,
                                         update,
                                         StressIntegration::start_of_step,
                                         time_step)

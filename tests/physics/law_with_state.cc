@@ -3,6 +3,7 @@
 // the state at rest and the critical step ask it.
 
 #include <sandglass/flow/particle_in_cell/explicit_particle_stage.h>
+#include <sandglass/flow/particle_in_cell/law_adapter.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
 
@@ -18,8 +19,10 @@ namespace
 {
   using namespace Sandglass;
 
-  using Stage = ExplicitParticleStage<
-    Setting<PlaneStrain, CellType::triangle, VoidRatioLaw>>;
+  using CellSetting = Setting<PlaneStrain,
+                              CellType::triangle,
+                              n_state_numbers<VoidRatioLaw>()>;
+  using Stage       = ExplicitParticleStage<CellSetting>;
 
   /// A box in which material falls onto the floor, small particles beside large
   /// ones, so that some are halved.
@@ -59,8 +62,20 @@ namespace
                                          4,
                                          fixture.gravity,
                                          MPI_COMM_WORLD);
+      return make_stage_on_scene();
+    }
+
+    std::unique_ptr<Stage>
+    make_stage_on_scene()
+    {
+      const auto make = [this](const auto &geometry) {
+        return make_law<CellSetting, VoidRatioLaw>(fixture.material,
+                                                   fixture.parameters,
+                                                   geometry);
+      };
       return std::make_unique<Stage>(*scene,
-                                     fixture.material,
+                                     make,
+                                     fixture.material.density,
                                      fixture.walls,
                                      fixture.parameters);
     }
@@ -117,10 +132,7 @@ TEST_F(LawWithState, variables_are_in_checkpoints)
     boost::archive::binary_oarchive archive(state);
     stage->save(archive);
   }
-  auto resumed = std::make_unique<Stage>(*scene,
-                                         fixture.material,
-                                         fixture.walls,
-                                         fixture.parameters);
+  auto resumed = make_stage_on_scene();
   {
     boost::archive::binary_iarchive archive(state);
     resumed->load(archive);

@@ -1,4 +1,6 @@
 #include <sandglass/flow/particle_in_cell/cell_stiffness.h>
+#include <sandglass/flow/particle_in_cell/law_adapter.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
@@ -120,8 +122,10 @@ TYPED_TEST(CellStiffnessTest, IsTheElasticWorkOfStiffParticles)
   const auto          &blocks = cells.stage->particles().blocks();
   NodalSums<TypeParam> sums(*cells.geometry, smallest_density, {});
   sums.cells.compute(blocks);
-  CellStiffness<TypeParam> stiffness(DruckerPrager(cells.material),
-                                     *cells.geometry);
+  const LawAdapter<TypeParam, DruckerPrager> law(cells.material,
+                                                 cells.parameters,
+                                                 *cells.geometry);
+  CellStiffness<TypeParam> stiffness(law, *cells.geometry);
   stiffness.assemble(blocks, sums);
 
   auto          u = cells.random_field(), v = cells.random_field();

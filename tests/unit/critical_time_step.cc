@@ -1,4 +1,6 @@
 #include <sandglass/flow/particle_in_cell/critical_time_step.h>
+#include <sandglass/flow/particle_in_cell/law_adapter.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +16,7 @@ namespace
   largest_stable_step(StageFixture &fixture)
   {
     using Quadrilaterals =
-      Setting<Kinematics, CellType::quadrilateral, DruckerPrager>;
+      Setting<Kinematics, CellType::quadrilateral>;
     const auto &stage  = *fixture.stage;
     const auto &blocks = stage.particles().blocks();
     const CellGeometry<CellType::quadrilateral> geometry(*fixture.scene);
@@ -25,9 +27,10 @@ namespace
       geometry,
       fixture.parameters.consistent_mass_share);
     mass_matrix.assemble(blocks, cells, stage.nodal_fields().sums);
-    CriticalTimeStep<Quadrilaterals> critical(DruckerPrager(fixture.material),
-                                              geometry,
-                                              *fixture.scene);
+    const LawAdapter<Quadrilaterals, DruckerPrager> law(fixture.material,
+                                                        fixture.parameters,
+                                                        geometry);
+    CriticalTimeStep<Quadrilaterals> critical(law, geometry, *fixture.scene);
     critical.assemble(blocks, cells);
     return critical.compute(blocks,
                             cells,

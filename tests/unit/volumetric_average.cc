@@ -8,7 +8,7 @@ using namespace Sandglass;
 
 namespace
 {
-  using Triangles = Setting<PlaneStrain, CellType::triangle, DruckerPrager>;
+  using Triangles = Setting<PlaneStrain, CellType::triangle>;
 
   /// A square of 4 x 4 squares of two triangles each.
   class VolumetricAverageTest : public testing::Test

@@ -47,6 +47,13 @@ namespace Sandglass
     std::vector<double> umat_constants;
     unsigned int        n_umat_state_variables = 0;
   };
+
+  /// The angle of internal friction in rad.
+  inline double
+  friction_angle(const MaterialConstants &constants)
+  {
+    return constants.internal_friction_angle * 3.14159265358979323846 / 180.;
+  }
 } // namespace Sandglass
 
 #endif

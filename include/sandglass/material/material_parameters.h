@@ -3,6 +3,7 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <sandglass/base/parameter_entries.h>
 #include <sandglass/choices.h>
 
 #include <string>
@@ -16,14 +17,13 @@ namespace Sandglass
   public:
     MaterialParameters();
 
-    enum class StressRate
-    {
-      jaumann
-    };
+    /// Hand the constants to the law, and throw InputError unless it has what
+    /// is set.
+    void
+    check();
 
-    /// Name of the law.
-    std::string model       = DruckerPrager::name;
-    StressRate  stress_rate = StressRate::jaumann;
+    /// As they are in the parameter file.
+    NamedNumbers given_law_constants;
   };
 } // namespace Sandglass
 

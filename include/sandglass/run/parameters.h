@@ -25,6 +25,7 @@ namespace Sandglass
     check()
     {
       scene.check();
+      material.check();
       walls.check();
       particle_stage.check();
     }

@@ -12,7 +12,7 @@ namespace Sandglass
   {
     std::unique_ptr<Equilibrium<dim>> equilibrium;
     choose_kinematics<dim>(formulation, [&](const auto kinematics) {
-      choose_law(material.model, [&](const auto law) {
+      choose_law(material, [&](const auto law) {
         using Kinematics = typename decltype(kinematics)::Type;
         using Law        = typename decltype(law)::Type;
         equilibrium = std::make_unique<MaterialEquilibrium<Kinematics, Law>>(

@@ -65,7 +65,7 @@ namespace Sandglass
   StaticStage<dim>::state_variables() const
   {
     std::vector<StateVariable> variables;
-    choose_law(material.model, [&variables](const auto law) {
+    choose_law(material, [&variables](const auto law) {
       using Law = typename decltype(law)::Type;
       variables.assign(Law::state_variables.begin(),
                        Law::state_variables.end());

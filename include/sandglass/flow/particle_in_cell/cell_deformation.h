@@ -25,7 +25,7 @@ namespace Sandglass
    * @tparam is_averaged  whether particles take on AveragedRates instead of
    *                      their own volumetric rate.
    */
-  template <typename Setting, bool is_averaged>
+  template <typename Setting, typename Law, bool is_averaged>
   class CellDeformation
   {
   public:
@@ -33,7 +33,6 @@ namespace Sandglass
     static constexpr int          dim     = Setting::dim;
 
     using Kinematics = typename Setting::Kinematics;
-    using Law        = typename Setting::Law;
     using Shape      = typename Setting::Shape;
     using State      = ParticleState<typename Setting::Layout, Lanes>;
     using OfNodes    = CellValues<dim, n_nodes>;

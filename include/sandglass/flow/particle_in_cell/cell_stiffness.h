@@ -1,8 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_cell_stiffness_h
 #define sandglass_flow_particle_in_cell_cell_stiffness_h
 
-#include <sandglass/flow/particle_in_cell/nodal_sums.h>
-#include <sandglass/material/elasticity.h>
+#include <sandglass/flow/particle_in_cell/law_interface.h>
 
 namespace Sandglass
 {
@@ -24,7 +23,7 @@ namespace Sandglass
     static constexpr int          dim     = Setting::dim;
 
     using Kinematics = typename Setting::Kinematics;
-    using Law        = typename Setting::Law;
+    using Law        = LawInterface<Setting>;
     using State      = ParticleState<typename Setting::Layout, Lanes>;
     using Shape      = typename Setting::Shape;
     using Geometry   = CellGeometry<Setting::cell_type>;
@@ -33,10 +32,11 @@ namespace Sandglass
 
     static constexpr double stiff_share = 0.95;
 
+    /// Both have to live as long as this object.
     CellStiffness(const Law &law, const Geometry &geometry)
       : law(law)
       , geometry(geometry)
-      , of_cells(Law::has_constant_stiffness ? 1 : geometry.n_cells(),
+      , of_cells(law.has_constant_stiffness ? 1 : geometry.n_cells(),
                  law.stiffness_bound())
     {
       if (!Setting::has_uniform_strain)
@@ -47,21 +47,21 @@ namespace Sandglass
     const Elasticity &
     elasticity(const unsigned int cell) const
     {
-      return of_cells[Law::has_constant_stiffness ? 0 : cell];
+      return of_cells[law.has_constant_stiffness ? 0 : cell];
     }
 
     /// Instead of assemble(), where a checkpoint tells it.
     void
     set_elasticity(const unsigned int cell, const Elasticity &stored)
     {
-      of_cells[Law::has_constant_stiffness ? 0 : cell] = stored;
+      of_cells[law.has_constant_stiffness ? 0 : cell] = stored;
     }
 
     /// Take the stiffness from the particles' positions.
     void
     assemble(const Blocks &blocks, const NodalSums<Setting> &cells)
     {
-      if constexpr (!Law::has_constant_stiffness)
+      if (!law.has_constant_stiffness)
         for_each_filled_cell(blocks, [&](const unsigned int cell) {
           of_cells[cell] = largest_stiffness(blocks, cell);
         });
@@ -128,9 +128,8 @@ namespace Sandglass
     {
       Elasticity largest(0., 0.);
       blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-        const auto       state = load_state(blocks[slot.block], slot.lane);
         const Elasticity bound =
-          law.stiffness_bound(state.stress, state.law_state);
+          law.stiffness_bound(load_state(blocks[slot.block], slot.lane));
         largest.lame_modulus =
           std::max(largest.lame_modulus, bound.lame_modulus);
         largest.shear_modulus =
@@ -246,7 +245,7 @@ namespace Sandglass
           }
     }
 
-    const Law               law;
+    const Law              &law;
     const Geometry         &geometry;
     std::vector<Elasticity> of_cells; ///< one, if all cells have the same
     std::vector<Matrix> matrices; ///< of each cell, unless strain is uniform

@@ -43,10 +43,11 @@ namespace Sandglass
   public:
     static constexpr int dim = Setting::dim;
 
-    using Law      = typename Setting::Law;
+    using Law      = LawInterface<Setting>;
     using Blocks   = ParticleBlocks<typename Setting::Layout>;
     using NodalSum = Sandglass::NodalSum<dim>;
 
+    /// All have to live as long as this object.
     CriticalTimeStep(const Law                              &law,
                      const CellGeometry<Setting::cell_type> &geometry,
                      const Scene<dim>                       &scene)

@@ -3,13 +3,15 @@
 
 #include <sandglass/flow/particle_in_cell/critical_time_step.h>
 #include <sandglass/flow/particle_in_cell/nodal_equations.h>
-#include <sandglass/flow/particle_in_cell/particle_pass.h>
+#include <sandglass/flow/particle_in_cell/law_interface.h>
 #include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
 #include <sandglass/flow/particle_in_cell/stage_totals.h>
-#include <sandglass/material/material_parameters.h>
 #include <sandglass/particles/seeding.h>
+
+#include <functional>
+#include <memory>
 
 namespace Sandglass
 {
@@ -21,46 +23,49 @@ namespace Sandglass
   public:
     static constexpr int dim = Setting::dim;
 
-    using Law        = typename Setting::Law;
+    using Law        = LawInterface<Setting>;
+    /// Makes the law for the cells of this geometry.
+    using MakeLaw = std::function<std::unique_ptr<const Law>(
+      const CellGeometry<Setting::cell_type> &geometry)>;
     using Layout     = typename Setting::Layout;
     using Kinematics = typename Setting::Kinematics;
     using Stage      = ParticleStage<Layout>;
     using Scene      = typename Stage::Scene;
     using Parcel     = typename Stage::Parcel;
 
+    /// @param density  of the unstressed material, in kg/m^3.
     ExplicitParticleStage(const Scene                   &scene,
-                          const MaterialParameters      &material,
+                          const MakeLaw                 &make_law,
+                          const double                   density,
                           const WallParameters          &walls,
                           const ParticleStageParameters &parameters)
       : Stage(scene, walls, parameters)
       , geometry(scene)
       , initial_configuration(scene, geometry)
-      , unstressed_density(material.density)
-      , stress_update(Law(material),
-                      material.density,
-                      parameters.density_update)
+      , unstressed_density(density)
+      , law(make_law(geometry))
       , nodal_sums(geometry,
-                   CellStiffness<Setting>::stiff_share * material.density,
+                   CellStiffness<Setting>::stiff_share *
+                     (law->smallest_stressed_density() > 0. ?
+                        law->smallest_stressed_density() :
+                        density),
                    parameters.force_integration == ForceIntegration::cell ?
                      initial_configuration.points :
                      std::vector<Point<dim>>())
       , volumetric_average(*scene.nodes,
                            geometry,
-                           parameters.density_update ==
-                               DensityUpdate::separation ?
-                             material.density :
-                             0.,
+                           law->smallest_stressed_density(),
                            parameters.volumetric_strain ==
                              VolumetricStrain::averaged)
       , relocation(scene, geometry, walls, parameters, removed)
       , splitting(geometry,
                   initial_configuration,
-                  material.density,
+                  density,
                   volumetric_average.smallest_density,
                   parameters.split_particles == SplitParticles::where_needed &&
                     needs_splitting(scene.mesh, initial_configuration))
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
-      , critical(stress_update.law, geometry, scene)
+      , critical(*law, geometry, scene)
     {
       seed_particles();
       sum_over_particles();
@@ -104,8 +109,13 @@ namespace Sandglass
       // Steps 6, 8 and 9: velocity, stress, density and position
       begin(StepPart::particles);
       particle_steps += cloud.n_locally_owned_particles();
-      plastic_dissipation +=
-        volumetric_average.is_on ? pass<true>() : pass<false>();
+      plastic_dissipation += law->pass(cloud.change_blocks(),
+                                       fields.acceleration,
+                                       fields.mapped_velocity,
+                                       time,
+                                       nodal_sums,
+                                       volumetric_average,
+                                       strays);
       begin(StepPart::relocation);
       const auto &arrivals = relocation.relocate(strays, cloud, time);
       for_each_sums([&](auto &cells) { cells.add(cloud.blocks(), arrivals); });
@@ -142,23 +152,6 @@ namespace Sandglass
     using Stage::removed;
     using Stage::scene;
     using Stage::time;
-
-    /// Steps 6, 8 and 9, and the next step's sums; returns the plastic work.
-    template <bool is_averaged>
-    double
-    pass()
-    {
-      return ParticlePass<Setting, is_averaged>(geometry,
-                                                stress_update,
-                                                parameters.stress_integration,
-                                                time.time_step)
-        .run(cloud.change_blocks(),
-             fields.acceleration,
-             fields.mapped_velocity,
-             nodal_sums,
-             volumetric_average,
-             strays);
-    }
 
     /// Call `function(sums)` for the sums over particles in their cells.
     template <typename Function>
@@ -222,7 +215,7 @@ namespace Sandglass
         pack(nodal_sums.cells);
         if (volumetric_average.is_on)
           pack(*volumetric_average.cells);
-        if constexpr (!Law::has_constant_stiffness)
+        if (!law->has_constant_stiffness)
           {
             const Elasticity &stiffness =
               critical.cell_stiffness().elasticity(cell);
@@ -240,7 +233,7 @@ namespace Sandglass
         {
           const auto cell = static_cast<unsigned int>(*next++);
           for_each_sums([&](auto &cells) { next = cells.unpack(cell, next); });
-          if constexpr (!Law::has_constant_stiffness)
+          if (!law->has_constant_stiffness)
             {
               Elasticity stiffness(0., 0.);
               stiffness.lame_modulus  = *next++;
@@ -255,7 +248,7 @@ namespace Sandglass
     totals() const override
     {
       return sum_up<Setting>(cloud.blocks(),
-                             stress_update.law,
+                             *law,
                              removed,
                              this->dissipation(),
                              contact.wall_work(),
@@ -266,7 +259,7 @@ namespace Sandglass
     std::vector<StateVariable>
     state_variables() const override
     {
-      return {Law::state_variables.begin(), Law::state_variables.end()};
+      return law->state_variables();
     }
 
     void
@@ -315,7 +308,7 @@ namespace Sandglass
     {
       const auto        &points    = initial_configuration.points;
       const unsigned int n         = points.size();
-      const auto         law_state = stress_update.law.initial_state();
+      const auto         law_state = law->initial_state();
       for (const auto &cell : cloud.owned_cells())
         {
           const unsigned int index = cell->active_cell_index();
@@ -351,7 +344,7 @@ namespace Sandglass
         return critical.compute(
           cloud.blocks(), nodal_sums, mass_matrix, contact, sums, n_iterations);
       };
-      if (parameters.has_automatic_time_step && Law::has_constant_stiffness)
+      if (parameters.has_automatic_time_step && law->has_constant_stiffness)
         return compute(fields.sums);
       NodalSumField<dim> sums = fields.sums;
       scatter_with_stiffness(sums);
@@ -368,7 +361,7 @@ namespace Sandglass
     const InitialConfiguration<Kinematics, Setting::cell_type>
                                initial_configuration;
     const double               unstressed_density;
-    const StressUpdate<Law>    stress_update;
+    const std::unique_ptr<const Law> law;
     NodalSums<Setting>         nodal_sums;
     VolumetricAverage<Setting> volumetric_average;
     Relocation<Setting>        relocation;

@@ -15,13 +15,15 @@ namespace Sandglass
                       const ParticleStageParameters &parameters)
   {
     std::unique_ptr<DynamicFlow<Kinematics::dim>> stage;
-    choose_law(material.model, [&](const auto law) {
-      using Law = typename decltype(law)::Type;
-      stage     = std::make_unique<
-        ExplicitParticleStage<Setting<Kinematics, cell_type, Law>>>(scene,
-                                                                    material,
-                                                                    walls,
-                                                                    parameters);
+    choose_law(material, [&](const auto law) {
+      using Law     = typename decltype(law)::Type;
+      using Setting = Sandglass::
+        Setting<Kinematics, cell_type, n_state_numbers<Law>()>;
+      const auto make = [&](const CellGeometry<cell_type> &geometry) {
+        return make_law<Setting, Law>(material, parameters, geometry);
+      };
+      stage = std::make_unique<ExplicitParticleStage<Setting>>(
+        scene, make, material.density, walls, parameters);
     });
     return stage;
   }

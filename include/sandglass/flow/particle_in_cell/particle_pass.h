@@ -17,14 +17,13 @@ namespace Sandglass
    *
    * @tparam is_averaged  whether particles take averaged changes of volume.
    */
-  template <typename Setting, bool is_averaged>
+  template <typename Setting, typename Law, bool is_averaged>
   class ParticlePass
   {
   public:
     static constexpr unsigned int n_nodes = Setting::nodes_per_cell;
     static constexpr int          dim     = Setting::dim;
 
-    using Law      = typename Setting::Law;
     using Layout   = typename Setting::Layout;
     using Shape    = typename Setting::Shape;
     using Geometry = CellGeometry<Setting::cell_type>;
@@ -77,7 +76,7 @@ namespace Sandglass
 
   private:
     using OfNodes     = CellValues<dim, n_nodes>;
-    using Deformation = CellDeformation<Setting, is_averaged>;
+    using Deformation = CellDeformation<Setting, Law, is_averaged>;
 
     void
     run_in_cell(Blocks                     &blocks,

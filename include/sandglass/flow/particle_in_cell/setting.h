@@ -1,21 +1,23 @@
 #ifndef sandglass_flow_particle_in_cell_setting_h
 #define sandglass_flow_particle_in_cell_setting_h
 
-#include <sandglass/material/state_variable.h>
 #include <sandglass/particles/cell_shape.h>
 #include <sandglass/particles/particle_layout.h>
 
 namespace Sandglass
 {
   /**
-   * The compile-time choices of a run. The inner loops are templates on this
-   * class; choices.h lists what there is to choose from.
+   * The compile-time choices of a run but for the law, of which only
+   * LawAdapter knows more than how many numbers its state variables are. The
+   * inner loops are templates on this class; choices.h lists what there is to
+   * choose from.
    */
-  template <typename Kinematics_, CellType cell_type_, typename Law_>
+  template <typename Kinematics_,
+            CellType     cell_type_,
+            unsigned int n_state_numbers = 0>
   struct Setting
   {
     using Kinematics = Kinematics_;
-    using Law        = Law_;
 
     static constexpr CellType cell_type = cell_type_;
     static constexpr int      dim       = Kinematics::dim;
@@ -24,7 +26,7 @@ namespace Sandglass
     static_assert(Shape::dim == dim);
 
     using Layout =
-      ParticleLayout<dim, Kinematics::n_components, n_state_numbers<Law>()>;
+      ParticleLayout<dim, Kinematics::n_components, n_state_numbers>;
 
     /// A vector in space.
     template <typename Number = double>

@@ -5,7 +5,7 @@
 
 #include <sandglass/base/instruction_sets.h>
 #include <sandglass/flow/flow_view.h>
-#include <sandglass/flow/particle_in_cell/cell_kernel.h>
+#include <sandglass/flow/particle_in_cell/law_interface.h>
 #include <sandglass/flow/particle_in_cell/removed_mass.h>
 #include <sandglass/particles/particle_state.h>
 
@@ -43,7 +43,7 @@ namespace Sandglass
     /// Lanes without a particle have no mass and the first one's speed.
     void
     add(const ParticleState<typename Setting::Layout, Lanes> &state,
-        const typename Setting::Law                          &law)
+        const LawInterface<Setting>                          &law)
     {
       const Lanes &mass   = state.mass;
       Lanes        square = state.velocity[0] * state.velocity[0];
@@ -54,8 +54,9 @@ namespace Sandglass
       sums[mass_in_silo] += select(falls, Lanes(0.), mass);
       sums[mass_falling] += select(falls, mass, Lanes(0.));
       sums[kinetic_energy] += Lanes(0.5) * mass * square;
-      sums[elastic_energy] +=
-        law.energy_density(state.stress, state.law_state) * state.volume();
+      Lanes energy_density;
+      law.energy_density(state, energy_density);
+      sums[elastic_energy] += energy_density * state.volume();
       for (unsigned int d = 0; d < dim; ++d)
         sums[momentum + d] += mass * state.velocity[d];
       largest_squared_speed =
@@ -73,7 +74,7 @@ namespace Sandglass
   template <typename Setting>
   FlowTotals
   sum_up(const ParticleBlocks<typename Setting::Layout> &blocks,
-         const typename Setting::Law                    &law,
+         const LawInterface<Setting>                    &law,
          const RemovedMass                              &removed,
          const double                                    dissipated_energy,
          const double                                    wall_work,

@@ -35,7 +35,9 @@ namespace Sandglass
                  const DensityUpdate density_update)
       : law(law)
       , smallest_stressed_density(
-          density_update == DensityUpdate::separation ? unstressed_density : 0.)
+          density_update == DensityUpdate::separation ?
+            law.loosest_density_share() * unstressed_density :
+            0.)
     {}
 
     /**
@@ -61,9 +63,7 @@ namespace Sandglass
       return select(is_separated, Number(0.), dissipation);
     }
 
-    const Law law;
-
-  private:
+    const Law    law;
     const double smallest_stressed_density; ///< in kg/m^3
   };
 } // namespace Sandglass

@@ -1,0 +1,95 @@
+#ifndef sandglass_flow_particle_in_cell_law_interface_h
+#define sandglass_flow_particle_in_cell_law_interface_h
+
+#include <sandglass/flow/clock.h>
+#include <sandglass/flow/particle_in_cell/nodal_sums.h>
+#include <sandglass/flow/particle_in_cell/volumetric_average.h>
+#include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
+#include <sandglass/material/elasticity.h>
+#include <sandglass/material/material_constants.h>
+#include <sandglass/material/state_variable.h>
+#include <sandglass/particles/strays.h>
+
+#include <memory>
+#include <vector>
+
+namespace Sandglass
+{
+  /**
+   * What the particle stage asks its constitutive law. One call passes over all
+   * particles, so that only this pass is compiled anew for each law.
+   */
+  template <typename Setting>
+  class LawInterface
+  {
+  public:
+    static constexpr int dim = Setting::dim;
+
+    using Layout = typename Setting::Layout;
+    using Blocks = ParticleBlocks<Layout>;
+
+    explicit LawInterface(const bool has_constant_stiffness)
+      : has_constant_stiffness(has_constant_stiffness)
+    {}
+
+    virtual ~LawInterface() = default;
+
+    /**
+     * Steps 6, 8 and 9 of Section 4.4, and the next step's sums; see
+     * ParticlePass.
+     *
+     * @return the plastic work of the step in J.
+     */
+    virtual double
+    pass(Blocks                     &blocks,
+         const NodalField<dim>      &acceleration,
+         const NodalField<dim>      &velocity,
+         const Clock                &clock,
+         NodalSums<Setting>         &sums,
+         VolumetricAverage<Setting> &volumetric_average,
+         Strays<Layout>             &strays) const = 0;
+
+    /// An isotropic elasticity than which unstressed material is nowhere
+    /// stiffer.
+    virtual Elasticity
+    stiffness_bound() const = 0;
+
+    /// The same for the state of one particle.
+    virtual Elasticity
+    stiffness_bound(const ParticleState<Layout, double> &state) const = 0;
+
+    /// Of four particles, in J/m^3. By reference, since instruction sets don't
+    /// agree on how four numbers are returned.
+    virtual void
+    energy_density(const ParticleState<Layout, Lanes> &state,
+                   Lanes                              &result) const = 0;
+
+    virtual std::vector<StateVariable>
+    state_variables() const = 0;
+
+    /// State variables of unstressed material.
+    virtual std::vector<double>
+    initial_state() const = 0;
+
+    /// In kg/m^3; below it there is no stress. 0 if there always may be.
+    virtual double
+    smallest_stressed_density() const = 0;
+
+    /// Whether stiffness_bound() is the same for all states.
+    const bool has_constant_stiffness;
+  };
+
+  /**
+   * A law as the particle stage sees it. Defined in law_adapter.h and
+   * instantiated by cmake/choices.cmake.
+   *
+   * @param geometry  has to live as long as the result.
+   */
+  template <typename Setting, typename Law>
+  std::unique_ptr<const LawInterface<Setting>>
+  make_law(const MaterialConstants                &constants,
+           const ParticleStageParameters          &parameters,
+           const CellGeometry<Setting::cell_type> &geometry);
+} // namespace Sandglass
+
+#endif
