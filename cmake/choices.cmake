@@ -22,6 +22,11 @@ set(choices_of_laws
   MatsuokaNakai
   MuI)
 
+# Those of them that Material/Stress rate = Green-Naghdi offers as well.
+set(choices_of_laws_with_green_naghdi
+  DruckerPrager
+  MatsuokaNakai)
+
 
 # --- What follows from it ------------------------------------------------------
 
@@ -32,17 +37,19 @@ function(sandglass_file_of result class)
   set(${result} ${name} PARENT_SCOPE)
 endfunction()
 
-set(choices_includes "")
+set(choices_includes "#include <sandglass/continuum/green_naghdi.h>\n")
+foreach(law ${choices_of_laws})
+  sandglass_file_of(file ${law})
+  string(APPEND choices_includes "#include <sandglass/material/${file}.h>\n")
+endforeach()
+list(TRANSFORM choices_of_laws_with_green_naghdi REPLACE "(.+)" "GreenNaghdi<\\1>")
+list(APPEND choices_of_laws ${choices_of_laws_with_green_naghdi})
 list(TRANSFORM choices_of_laws REPLACE "(.+)" "INSTANTIATE(\\1)"
   OUTPUT_VARIABLE laws_to_instantiate)
 list(JOIN laws_to_instantiate " " laws_to_instantiate)
 set(choices_dimensions "")
 set(kinematics_list "")
 set(cell_type_list "")
-foreach(law ${choices_of_laws})
-  sandglass_file_of(file ${law})
-  string(APPEND choices_includes "#include <sandglass/material/${file}.h>\n")
-endforeach()
 foreach(entry ${choices_of_kinematics})
   string(REPLACE " " ";" entry ${entry})
   list(GET entry 0 dimension)

@@ -35,11 +35,11 @@ namespace
     try
       {
         parameters.check();
-        parameters.scene.fix_resolution();
         if (study != nullptr)
           study->perform(parameters, command_line, file, communicator);
         else
           {
+            parameters.scene.fix_resolution();
             Log log(communicator,
                     command_line.is_quiet ? Log::Screen::nothing :
                                             Log::Screen::everything);

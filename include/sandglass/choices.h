@@ -49,15 +49,27 @@ namespace Sandglass
       });
   }
 
+  /// The objective rate by which a law's stress turns; Jaumann's, unless the law
+  /// says another one.
+  template <typename Law>
+  constexpr StressRate stress_rate_of = StressRate::jaumann;
+
+  template <typename Law>
+  constexpr StressRate stress_rate_of<GreenNaghdi<Law>> =
+    StressRate::green_naghdi;
+
   /// Call `function(TypeTag<Law>())` for the law that the constants ask for.
+  /// @return whether there is one.
   template <typename Function>
-  void
+  bool
   choose_law(const MaterialConstants &constants, const Function &function)
   {
-    choose(
+    return choose(
       AllLaws(),
       [&constants](const auto law) {
-        return decltype(law)::Type::is_meant(constants);
+        using Law = typename decltype(law)::Type;
+        return Law::is_meant(constants) &&
+               stress_rate_of<Law> == constants.stress_rate;
       },
       function);
   }

@@ -199,8 +199,12 @@ namespace Sandglass
         add_selection<StressRate>(section,
                                   "Stress rate",
                                   section.stress_rate,
-                                  {{"Jaumann", StressRate::jaumann}},
-                                  "Objective stress rate.");
+                                  {{"Jaumann", StressRate::jaumann},
+                                   {"Green-Naghdi", StressRate::green_naghdi}},
+                                  "Objective stress rate. Green-Naghdi's, of "
+                                  "the law Drucker-Prager, costs four more "
+                                  "numbers a particle; in large elastic shear "
+                                  "stress does not oscillate with it.");
       }
 
       MaterialParameters &section;
@@ -223,7 +227,7 @@ namespace Sandglass
     law_constants.clear();
     for (const auto &[name, numbers] : given_law_constants)
       law_constants[name] = numbers[0];
-    choose_law(*this, [this](const auto law) {
+    const bool is_offered = choose_law(*this, [this](const auto law) {
       using Law = typename decltype(law)::Type;
       check_constants<Law>(given_law_constants);
       if (cohesion > 0. && !Law::has_cohesion)
@@ -234,5 +238,10 @@ namespace Sandglass
       // The law's own complaints come before anything is written.
       Law(static_cast<const MaterialConstants &>(*this));
     });
+    if (!is_offered)
+      throw InputError("Material",
+                       "Stress rate",
+                       "Green-Naghdi",
+                       "the law '" + model + "' is offered with Jaumann only");
   }
 } // namespace Sandglass

@@ -29,7 +29,8 @@ namespace Sandglass
       add("study",
           options::value<std::string>()->value_name("NAME"),
           "run the scene several times: convergence, on a sequence of meshes, "
-          "for its flow rate and how sure that is");
+          "for its flow rate and how sure that is; smallest-outlet, with "
+          "several outlets, for the one from which on the material flows");
       add("print-parameters",
           options::value<std::string>()->implicit_value("prm")->value_name(
             "prm|md|json"),
@@ -105,7 +106,7 @@ namespace Sandglass
     text << "Usage: sandglass FILE.prm [-s \"Section/Name=value\"]... "
             "[-o DIRECTORY] [--restart] [--quiet]\n"
             "       sandglass --validate FILE.prm\n"
-            "       sandglass --study convergence FILE.prm\n"
+            "       sandglass --study convergence|smallest-outlet FILE.prm\n"
             "       sandglass --print-parameters [prm|md|json]\n"
             "       sandglass --print-outputs\n"
             "       mpirun -n N sandglass FILE.prm\n\n"

@@ -8,6 +8,7 @@
 #include <sandglass/run/markdown.h>
 #include <sandglass/run/print_outputs.h>
 #include <sandglass/study/convergence_results.h>
+#include <sandglass/study/smallest_outlet.h>
 
 namespace Sandglass
 {
@@ -144,6 +145,12 @@ namespace Sandglass
            columns("Column", convergence_table) +
            file("summary.json of --study convergence",
                 "The study so far, after each run; the runs have their own.") +
-           columns("Key", convergence_summary_table);
+           columns("Key", convergence_summary_table) +
+           file("study.csv of --study smallest-outlet",
+                "A row for each run, in the order of the runs.") +
+           columns("Column", smallest_outlet_table) +
+           file("summary.json of --study smallest-outlet",
+                "The study so far, after each run; the runs have their own.") +
+           columns("Key", smallest_outlet_summary_table);
   }
 } // namespace Sandglass

@@ -3,11 +3,10 @@
 #include <sandglass/output/csv_file.h>
 #include <sandglass/scene/automatic_mesh.h>
 #include <sandglass/study/convergence_plan.h>
+#include <sandglass/study/silo_study.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace Sandglass
 {
@@ -19,32 +18,6 @@ namespace Sandglass
     constexpr double flow_has_formed = 3., earliest_end = 4., usual_end = 5.;
     /// Rows of the history in such a time, at least.
     constexpr double rows_per_time = 10.;
-
-
-
-    /// Refuse silos that have no flow rate, or no other meshes.
-    void
-    check_scene(const SceneParameters &scene)
-    {
-      if (scene.shape != SceneParameters::Shape::silo)
-        throw InputError("Scene",
-                         "Shape",
-                         "mesh file",
-                         "allowed is silo with --study convergence, which "
-                         "makes several meshes");
-      if (!scene.outlet_is_open)
-        throw InputError("Scene",
-                         "Outlet",
-                         "closed",
-                         "allowed is open with --study convergence, which is "
-                         "about the flow rate");
-      if (scene.gravity_vector<2>().norm() == 0.)
-        throw InputError("Scene",
-                         "Gravity",
-                         "0, 0",
-                         "allowed is a gravity that makes material flow with "
-                         "--study convergence");
-    }
 
 
 
@@ -116,20 +89,11 @@ namespace Sandglass
   ConvergencePlan
   plan_convergence(Parameters &parameters, const ParameterFile &file)
   {
-    check_scene(parameters.scene);
+    check_flowing_silo(parameters.scene, "convergence");
+    parameters.scene.fix_resolution();
     ConvergencePlan plan;
     set_times(parameters, file, plan);
     plan.refinements = find_refinements(parameters);
     return plan;
-  }
-
-
-
-  std::string
-  short_text(const double value)
-  {
-    std::ostringstream text;
-    text << std::setprecision(3) << value;
-    return text.str();
   }
 } // namespace Sandglass

@@ -5,10 +5,10 @@
 #include <sandglass/output/log.h>
 #include <sandglass/output/output_directory.h>
 #include <sandglass/output/progress.h>
-#include <sandglass/run/run.h>
 #include <sandglass/study/convergence_plan.h>
 #include <sandglass/study/convergence_results.h>
 #include <sandglass/study/convergence_study.h>
+#include <sandglass/study/silo_study.h>
 
 #include <algorithm>
 #include <array>
@@ -125,20 +125,13 @@ namespace Sandglass
                              const std::vector<std::string> &warnings)
     {
       set_parameter("Scene", "Refinement", refinement);
-      set_parameter("Output",
-                    "Directory",
-                    directory + "/refinement-" + short_text(refinement));
+      const std::string own = directory + "/refinement-" + short_text(refinement);
       log.stream() << "Refinement " << short_text(refinement) << ": cells "
-                   << to_text(parameters.scene.resolution()) << "; in "
-                   << parameters.output.directory << std::endl;
-
-      CommandLine run_only = command_line;
-      run_only.task        = CommandLine::Task::run;
-      Log run_log(communicator,
-                  command_line.is_quiet ? Log::Screen::nothing :
-                                          Log::Screen::progress);
-      return shared(*run(parameters, run_only, warnings, communicator, run_log),
-                    refinement);
+                   << to_text(parameters.scene.resolution()) << "; in " << own
+                   << std::endl;
+      return shared(
+        run_variant(parameters, command_line, own, warnings, communicator),
+        refinement);
     }
 
 

@@ -1,12 +1,14 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/study/convergence_study.h>
+#include <sandglass/study/smallest_outlet.h>
 #include <sandglass/study/study.h>
 
 namespace Sandglass
 {
   namespace
   {
-    constexpr Study studies[] = {{"convergence", study_convergence}};
+    constexpr Study studies[] = {{"convergence", study_convergence},
+                                 {"smallest-outlet", study_smallest_outlet}};
   } // namespace
 
 

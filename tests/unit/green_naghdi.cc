@@ -1,8 +1,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <sandglass/continuum/green_naghdi.h>
-#include <sandglass/continuum/in_plane_increment.h>
-#include <sandglass/material/elasticity.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
@@ -15,9 +14,17 @@ using namespace Sandglass;
 
 namespace
 {
-  const Elasticity elasticity(1e6, 0.3);
+  MaterialConstants
+  without_yielding()
+  {
+    MaterialConstants constants;
+    constants.yield_cone = YieldCone::paper;
+    constants.cohesion   = 1e12;
+    return constants;
+  }
 
-  /// A point that follows the Green-Naghdi rate without yielding.
+  /// A point that follows the Green-Naghdi rate without yielding, as in the
+  /// particle stage.
   class MaterialPoint
   {
   public:
@@ -25,25 +32,19 @@ namespace
     void
     step(const Tensor<2, 2> &gradient)
     {
-      Eigen::Matrix2d increment;
-      increment << 1. + gradient[0][0], gradient[0][1], gradient[1][0],
-        1. + gradient[1][1];
-      const Eigen::Matrix2d     after = increment * deformation;
-      const GreenNaghdiRotation rotation(deformation, after);
-
-      // Strain of the step's middle, not turned to its end as the spin would.
-      Tensor<2, 2> middle = 0.5 * gradient;
-      middle[0][0] += 1.;
-      middle[1][1] += 1.;
-      const InPlaneIncrement<double> strain(gradient * invert(middle), 0.);
-      stress = rotate(stress, rotation.step) +
-               rotate(elasticity.stress(strain.strain), rotation.half);
-      deformation = after;
+      const InPlaneIncrement<double> increment(
+        gradient, 0., StressIntegration::middle_of_step);
+      stress = rotate(stress, increment.rotation);
+      law.correct(stress, state, law.predict(increment, 0.));
     }
 
-    Eigen::Matrix2d        deformation = Eigen::Matrix2d::Identity();
-    SymmetricComponents<4> stress      = SymmetricComponents<4>::Zero();
+    const GreenNaghdi<DruckerPrager> law{without_yielding()};
+    std::array<double, 4>            state  = law.initial_state();
+    SymmetricComponents<4>           stress = SymmetricComponents<4>::Zero();
   };
+
+  const Elasticity elasticity =
+    GreenNaghdi<DruckerPrager>(without_yielding()).stiffness_bound();
 
   /**
    * sigma_xy / G and sigma_xx / G of the elastic material in simple shear gamma

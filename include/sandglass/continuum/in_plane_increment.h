@@ -15,6 +15,8 @@ namespace Sandglass
     SymmetricComponents<4, Number> strain; ///< tensor components
     InPlaneRotation<Number>        rotation;
     Number                         jacobian;
+    /// du_i/dx_j, x at the start; for who follows the deformation gradient.
+    std::array<std::array<Number, 2>, 2> gradient;
 
     /**
      * @param gradient  of the displacement increment, du_i/dx_j as [i][j], x at
@@ -27,6 +29,8 @@ namespace Sandglass
       const Number           &hoop,
       const StressIntegration integration = StressIntegration::start_of_step)
       : jacobian(determinant_of_sum(gradient, 1.) * (Number(1.) + hoop))
+      , gradient{{{{gradient[0][0], gradient[0][1]}},
+                  {{gradient[1][0], gradient[1][1]}}}}
     {
       if (integration == StressIntegration::start_of_step)
         {

@@ -4,7 +4,6 @@
 #include <sandglass/run/parameter_file.h>
 #include <sandglass/run/parameters.h>
 
-#include <string>
 #include <vector>
 
 namespace Sandglass
@@ -28,10 +27,6 @@ namespace Sandglass
    */
   ConvergencePlan
   plan_convergence(Parameters &parameters, const ParameterFile &file);
-
-  /// A number with three digits, as in names of directories.
-  std::string
-  short_text(const double value);
 } // namespace Sandglass
 
 #endif

@@ -1,0 +1,338 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/numbers.h>
+
+#include <sandglass/base/exceptions.h>
+#include <sandglass/base/parameter_entries.h>
+#include <sandglass/output/csv_file.h>
+#include <sandglass/output/jenike.h>
+#include <sandglass/output/json_object.h>
+#include <sandglass/output/replace_file.h>
+#include <sandglass/study/silo_study.h>
+#include <sandglass/study/smallest_outlet.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace Sandglass
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Material that leaves with this share of rho sqrt(g) D^n flows.
+    constexpr double flowing_share = 0.1;
+    /// The narrowest outlet tried, over the scene's.
+    constexpr double narrowest = 1. / 32.;
+    /// Bisection ends when the bounds are this close.
+    constexpr double close_enough = 1.05;
+    /// Usual length of a run, in sqrt(D / g) of the scene's outlet.
+    constexpr double usual_end = 10.;
+
+
+
+    class SmallestOutletStudy
+    {
+    public:
+      SmallestOutletStudy(Parameters          &parameters,
+                          const CommandLine   &command_line,
+                          const ParameterFile &file,
+                          const MPI_Comm       communicator);
+
+      void
+      perform();
+
+    private:
+      /// Try outlets until one flows and one does not; the results tell.
+      void
+      find_bounds();
+
+      void
+      bisect();
+
+      /// Run the scene with this outlet.
+      void
+      attempt(const double half_width);
+
+      /// Set the outlet, the hopper of the same slope, and what the program
+      /// chooses for them.
+      void
+      set_outlet(const double half_width);
+
+      /// The mean rate over the last third in kg/s, the same on each rank, and
+      /// whether the material flows. Collective.
+      OutletTrial
+      judge(const RunResult &result, const double half_width) const;
+
+      void
+      set_jenike();
+
+      /// Collective.
+      void
+      write_results(const std::string &status, const std::string &message);
+
+      Parameters          &parameters;
+      const CommandLine   &command_line;
+      const ParameterFile &file;
+      const MPI_Comm       communicator;
+      const std::string    directory;
+      Log                  log;
+      const double         first_half_width;
+      /// Horizontal over vertical length of the hopper's wall.
+      const double   hopper_slope;
+      SmallestOutlet results;
+      bool           has_log_file = false;
+      /// What the program chooses anew for each outlet, as the user gave it.
+      std::vector<std::string> automatic_parameters;
+    };
+
+
+
+    SmallestOutletStudy::SmallestOutletStudy(Parameters          &parameters,
+                                             const CommandLine   &command_line,
+                                             const ParameterFile &file,
+                                             const MPI_Comm       communicator)
+      : parameters(parameters)
+      , command_line(command_line)
+      , file(file)
+      , communicator(communicator)
+      , directory(parameters.output.directory)
+      , log(communicator,
+            command_line.is_quiet ? Log::Screen::nothing :
+                                    Log::Screen::everything)
+      , first_half_width(parameters.scene.outlet_half_width)
+      , hopper_slope(parameters.scene.hopper_height > 0. ?
+                       (parameters.scene.half_width - first_half_width) /
+                         parameters.scene.hopper_height :
+                       0.)
+    {
+      const SceneParameters &scene = parameters.scene;
+      check_flowing_silo(scene, "smallest-outlet");
+      const double time =
+        std::sqrt(2. * first_half_width / scene.gravity_vector<2>().norm());
+      if (!file.is_on_command_line("Particle stage", "End time"))
+        set_parameter("Particle stage",
+                      "End time",
+                      std::min(parameters.particle_stage.end_time,
+                               usual_end * time));
+      set_parameter("Output",
+                    "History interval",
+                    std::min(parameters.output.history_interval,
+                             parameters.particle_stage.end_time / 60.));
+      if (!scene.headroom)
+        automatic_parameters.push_back("Headroom");
+      if (!scene.outlet_element_size)
+        automatic_parameters.push_back("Outlet element size");
+      if (!scene.element_size)
+        automatic_parameters.push_back("Element size");
+      if (!scene.particles_per_cell)
+        automatic_parameters.push_back("Particles per cell");
+      set_jenike();
+    }
+
+
+
+    void
+    SmallestOutletStudy::set_jenike()
+    {
+      const MaterialParameters &material = parameters.material;
+      const double              phi      = friction_angle(material);
+      const double wall_angle = parameters.walls.hopper_friction_angle.value_or(
+                                  parameters.walls.friction_angle) *
+                                numbers::PI / 180.;
+      const Jenike jenike{parameters.scene.formulation,
+                          phi,
+                          wall_angle,
+                          std::atan(hopper_slope)};
+      const double weight_density =
+        material.density * parameters.scene.gravity_vector<2>().norm();
+      results.unconfined_strength =
+        2. * material.cohesion * std::cos(phi) / (1. - std::sin(phi));
+      results.flow_factor = jenike.flow_factor();
+      results.arching_width =
+        jenike.arching_width(results.unconfined_strength, weight_density);
+      results.rathole_diameter =
+        jenike.rathole_diameter(results.unconfined_strength, weight_density);
+      results.mass_flow_limit = jenike.mass_flow_limit() * 180. / numbers::PI;
+    }
+
+
+
+    void
+    SmallestOutletStudy::set_outlet(const double half_width)
+    {
+      set_parameter("Scene", "Outlet half width", half_width);
+      if (hopper_slope > 0.)
+        set_parameter("Scene",
+                      "Hopper height",
+                      (parameters.scene.half_width - half_width) /
+                        hopper_slope);
+      for (const std::string &name : automatic_parameters)
+        set_parameter("Scene", name, std::string(automatic));
+      parameters.check();
+      parameters.scene.fix_resolution();
+    }
+
+
+
+    OutletTrial
+    SmallestOutletStudy::judge(const RunResult &result,
+                               const double     half_width) const
+    {
+      const double          end    = parameters.particle_stage.end_time;
+      std::array<double, 2> values = {
+        {result.discharge.mean(2. / 3. * end, end),
+         std::isnan(result.summary.flow.discharge_time) ? 0. : 1.}};
+      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+        values = Utilities::MPI::broadcast(communicator, values);
+      const double width   = 2. * half_width;
+      const bool   is_ring = parameters.scene.formulation ==
+                           Formulation::axisymmetric;
+      const double free_rate =
+        parameters.material.density *
+        std::sqrt(parameters.scene.gravity_vector<2>().norm()) *
+        std::pow(width, is_ring ? 2.5 : 1.5);
+      // A silo that has emptied has flowed, too.
+      const double left = result.summary.totals.in_silo;
+      const bool   has_emptied =
+        values[1] > 0. && left < 0.05 * result.summary.initial_mass;
+      return {half_width,
+              values[0],
+              has_emptied || values[0] > flowing_share * free_rate};
+    }
+
+
+
+    void
+    SmallestOutletStudy::attempt(const double half_width)
+    {
+      set_outlet(half_width);
+      const std::string own =
+        directory + "/outlet-half-width-" + short_text(half_width);
+      log.stream() << "Outlet half width " << short_text(half_width) << " m; in "
+                   << own << std::endl;
+      const std::vector<std::string> warnings =
+        results.trials.empty() ? file.warnings() : std::vector<std::string>();
+      const OutletTrial trial =
+        judge(run_variant(
+                parameters, command_line, own, warnings, communicator),
+              half_width);
+      results.trials.push_back(trial);
+      log.stream() << "  " << (trial.flows ? "flows" : "stands") << ", "
+                   << short_text(trial.flow_rate) << " kg/s" << std::endl;
+      write_results("running", "");
+    }
+
+
+
+    void
+    SmallestOutletStudy::find_bounds()
+    {
+      double half_width = first_half_width;
+      attempt(half_width);
+      const bool flows_at_first = results.trials.back().flows;
+      while (results.trials.back().flows == flows_at_first)
+        {
+          half_width *= flows_at_first ? 0.5 : 1.5;
+          if (half_width < narrowest * first_half_width ||
+              half_width > 0.95 * parameters.scene.half_width)
+            return;
+          attempt(half_width);
+        }
+    }
+
+
+
+    void
+    SmallestOutletStudy::bisect()
+    {
+      while (results.smallest_flowing() >
+             close_enough * results.largest_arrested())
+        attempt(std::sqrt(results.smallest_flowing() *
+                          results.largest_arrested()));
+    }
+
+
+
+    void
+    SmallestOutletStudy::write_results(const std::string &status,
+                                       const std::string &message)
+    {
+      results.status  = status;
+      results.message = message;
+      do_and_share_errors(communicator, [this]() {
+        if (Utilities::MPI::this_mpi_process(communicator) != 0)
+          return;
+        // The first run has made the directory.
+        if (!has_log_file)
+          log.open_file(directory + "/sandglass.log", false);
+        has_log_file = true;
+        CsvTable<OutletTrial> table(directory + "/study.csv",
+                                    smallest_outlet_table,
+                                    OutletTrial());
+        table.open();
+        for (const OutletTrial &trial : results.trials)
+          table.add_row(trial);
+        table.flush();
+        JsonObject json;
+        json.add(smallest_outlet_summary_table, results);
+        replace_file(directory + "/summary.json", json.text());
+      });
+    }
+
+
+
+    void
+    SmallestOutletStudy::perform()
+    {
+      const auto fail = [this](const std::string &what) {
+        const std::string message =
+          "Outlet half width " +
+          short_text(parameters.scene.outlet_half_width) + ": " + what;
+        write_results("failed", message);
+        log.record_error(message);
+        throw RunError(message);
+      };
+      try
+        {
+          find_bounds();
+          bisect();
+        }
+      catch (const RunError &error)
+        {
+          fail(error.what());
+        }
+      catch (const InputError &error)
+        {
+          // Only the first run has written nothing yet.
+          if (results.trials.empty())
+            throw;
+          fail(error.what());
+        }
+      write_results("finished", "");
+      const double smallest = results.smallest_flowing(),
+                   largest  = results.largest_arrested();
+      log.stream() << (std::isnan(largest) ?
+                         "The material flows through every outlet tried" :
+                       std::isnan(smallest) ?
+                         "The material stands in every outlet tried" :
+                         "The material flows from a half width of " +
+                           short_text(smallest) + " m, and stands at " +
+                           short_text(largest) + " m")
+                   << "; Jenike's outlet has a width of "
+                   << short_text(results.arching_width)
+                   << " m. Results are in " << directory << std::endl;
+    }
+  } // namespace
+
+
+
+  void
+  study_smallest_outlet(Parameters          &parameters,
+                        const CommandLine   &command_line,
+                        const ParameterFile &file,
+                        const MPI_Comm       communicator)
+  {
+    SmallestOutletStudy(parameters, command_line, file, communicator).perform();
+  }
+} // namespace Sandglass
