@@ -193,7 +193,7 @@ namespace Sandglass
         std::sqrt(parameters.scene.gravity_vector<2>().norm()) *
         std::pow(width, is_ring ? 2.5 : 1.5);
       // A silo that has emptied has flowed, too.
-      const double left = result.summary.totals.in_silo;
+      const double left = result.summary.totals.mass_in_silo;
       const bool   has_emptied =
         values[1] > 0. && left < 0.05 * result.summary.initial_mass;
       return {half_width,

@@ -1,6 +1,9 @@
+#include <deal.II/base/numbers.h>
+
 #include <sandglass/base/exceptions.h>
 #include <sandglass/walls/wall_parameters.h>
 
+#include <cmath>
 #include <string>
 
 namespace Sandglass
@@ -82,6 +85,21 @@ namespace Sandglass
        {"velocity sign", FrictionUpdate::velocity_sign}},
       "How friction follows a node's slip: elastically up to Coulomb's limit, "
       "or, once it slides, by the sign of its velocity (the paper's rule).");
+    add_number(*this,
+               "Box depth",
+               box_depth,
+               Bounds::at_least(0.),
+               "m",
+               "Distance between the front and the back of a box that a plane "
+               "silo is the middle of. Their friction, 2 mu p over this depth, "
+               "slows the flow down; the state at rest does without. 0: none.");
+    add_optional_number(*this,
+                        "Box friction angle",
+                        box_friction_angle,
+                        Bounds::at_least_below(0., 90.),
+                        "degrees",
+                        "Angle of friction of the box's front and back; empty: "
+                        "as Friction angle.");
     add_flag(*this,
              "Fix bottom corner",
              fix_bottom_corner,
@@ -94,6 +112,15 @@ namespace Sandglass
       "Contact at the node on the edge of the open outlet: that of the floor "
       "or hopper beside it, or none; then particles, not the node, are held "
       "above the wall next to the outlet.");
+  }
+
+
+
+  double
+  WallParameters::box_friction_coefficient() const
+  {
+    return std::tan(box_friction_angle.value_or(friction_angle) *
+                    dealii::numbers::PI / 180.);
   }
 
 

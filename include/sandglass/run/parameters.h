@@ -1,6 +1,7 @@
 #ifndef sandglass_run_parameters_h
 #define sandglass_run_parameters_h
 
+#include <sandglass/base/exceptions.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/material/material_parameters.h>
@@ -28,6 +29,12 @@ namespace Sandglass
       material.check();
       walls.check();
       particle_stage.check();
+      if (walls.box_depth > 0. &&
+          scene.formulation != Formulation::plane_strain)
+        throw InputError("Walls",
+                         "Box depth",
+                         to_text(walls.box_depth),
+                         "allowed is 0 unless the formulation is plane strain");
     }
   };
 } // namespace Sandglass

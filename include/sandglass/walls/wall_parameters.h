@@ -44,8 +44,16 @@ namespace Sandglass
     double          penalty_limit      = 0.2; ///< of c_T A dt^2 / m; 0: none
     NormalCondition normal_condition   = NormalCondition::velocity;
     FrictionUpdate  friction_update    = FrictionUpdate::return_mapping;
+    /// Of a box with a front and a back, in m; 0: none.
+    double                box_depth = 0.;
+    std::optional<double> box_friction_angle; ///< as friction_angle
+
     bool            fix_bottom_corner  = true;
     OutletLip       outlet_lip         = OutletLip::free;
+
+    /// Of the box's front and back.
+    double
+    box_friction_coefficient() const;
 
     /// Throws InputError where values contradict each other.
     void

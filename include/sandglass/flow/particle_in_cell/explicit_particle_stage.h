@@ -1,6 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_explicit_particle_stage_h
 #define sandglass_flow_particle_in_cell_explicit_particle_stage_h
 
+#include <sandglass/flow/particle_in_cell/box_friction.h>
 #include <sandglass/flow/particle_in_cell/critical_time_step.h>
 #include <sandglass/flow/particle_in_cell/nodal_equations.h>
 #include <sandglass/flow/particle_in_cell/law_interface.h>
@@ -64,6 +65,7 @@ namespace Sandglass
                   volumetric_average.smallest_density,
                   parameters.split_particles == SplitParticles::where_needed &&
                     needs_splitting(scene.mesh, initial_configuration))
+      , box(*scene.nodes, geometry, walls)
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , critical(*law, geometry, scene)
     {
@@ -94,7 +96,15 @@ namespace Sandglass
                          mass_matrix,
                          contact,
                          scene.gravity,
-                         time.time_step);
+                         time.time_step,
+                         [this](NodalField<dim> &acceleration) {
+                           if (box.is_on)
+                             plastic_dissipation += box.brake(cloud.blocks(),
+                                                              nodal_sums,
+                                                              fields.sums,
+                                                              time.time_step,
+                                                              acceleration);
+                         });
       // Step 7: the velocity that deforms and moves the particles
       begin(StepPart::velocity_map);
       nodal_sums.map_momentum(cloud.blocks(),
@@ -366,6 +376,7 @@ namespace Sandglass
     VolumetricAverage<Setting> volumetric_average;
     Relocation<Setting>        relocation;
     ParticleSplitting<Setting> splitting;
+    BoxFriction<Setting>       box;
 
     // What they know is found anew in each step, so a view may use them too.
     mutable MassMatrix<Setting>       mass_matrix;

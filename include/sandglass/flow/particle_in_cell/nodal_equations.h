@@ -45,15 +45,17 @@ namespace Sandglass
    *
    * @param gravity    in m/s^2, so that F = M gravity.
    * @param time_step  in s.
+   * @param brake      called with the acceleration before contact sees it.
    */
-  template <typename Setting>
+  template <typename Setting, typename Brake>
   void
   solve_acceleration(NodalFields<Setting::dim>         &fields,
                      const Utilities::MPI::Partitioner &nodes,
                      MassMatrix<Setting>               &mass_matrix,
                      Contact<Setting::dim>             &contact,
                      const Tensor<1, Setting::dim>     &gravity,
-                     const double                       time_step)
+                     const double                       time_step,
+                     const Brake                       &brake)
   {
     constexpr int dim = Setting::dim;
     using NodalSum    = Sandglass::NodalSum<dim>;
@@ -66,6 +68,7 @@ namespace Sandglass
             mass > 0. ? gravity[d] - sums[NodalSum::internal_force + d] / mass :
                         0.;
       }
+    brake(fields.acceleration);
     contact.apply(fields.sums, time_step, fields.acceleration);
     if (!mass_matrix.is_lumped())
       contact.add_forces(mass_matrix.solve_held(
