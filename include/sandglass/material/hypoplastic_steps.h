@@ -16,7 +16,7 @@ namespace Sandglass
    * enough: it is when it differs from Euler's by no more than a ten-thousandth
    * of the stress. Otherwise a third evaluation makes it a Runge-Kutta step of
    * third order (Shu and Osher 1988), which is taken if Heun's differs from it
-   * by as little, and else is repeated with a shorter one.
+   * by a quarter as much, and else is repeated with a shorter one.
    *
    * Each lane has steps of its own, and is left alone once it is through: its
    * result doesn't depend on its neighbours, nor on the number of ranks.
@@ -81,7 +81,7 @@ namespace Sandglass
     // Euler's and Heun's, Heun's and that of third order. The more accurate one
     // is taken, so what is left is less.
     static constexpr double heun_tolerance  = 1e-4;
-    static constexpr double third_tolerance = 1e-4;
+    static constexpr double third_tolerance = 2.5e-5;
     /// Shortest step as a share of the increment; it is taken as it is.
     static constexpr double smallest_share = 1e-3;
     static constexpr double largest_growth = 4.; ///< from step to step
@@ -222,9 +222,9 @@ namespace Sandglass
 
     /**
      * With the deviator's norm at most sqrt(2/3) |tr stress|, as in uniaxial
-     * stress: beyond that no stress is without tension. The law itself doesn't
-     * lead there but for errors of long steps. The comparison makes what isn't
-     * a number spread to all components.
+     * stress: beyond that some stress is tensile. Kolymbas' law leads there
+     * where it unloads, the others only by errors of long steps. The comparison
+     * makes what isn't a number spread to all components.
      */
     Stress
     bounded(const Stress &stress) const

@@ -174,13 +174,17 @@ namespace Sandglass
      *         sqrt(3) a ((e_i0 - e_d0) / (e_c0 - e_d0))^alpha],
      *   f_d = ((e - e_d) / (e_c - e_d))^alpha.
      *
+     * The void ratio is held between its limits, and x below 1: there grains
+     * would be crushed, and e_i goes to zero.
+     *
      * @param three_p  3 p in Pa.
      */
     template <typename Number>
     Factors<Number>
     density_factors(const Number &three_p, const Number &void_ratio) const
     {
-      const Number x         = three_p * Number(inverse_hardness);
+      const Number share     = three_p * Number(inverse_hardness);
+      const Number x         = select(share > Number(1.), Number(1.), share);
       const Number x_to_n    = power(x, Number(n));
       const Number reduction = exponential(-x_to_n);
       const Number e_d       = Number(e_d0) * reduction;
