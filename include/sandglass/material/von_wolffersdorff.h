@@ -183,20 +183,19 @@ namespace Sandglass
     Factors<Number>
     density_factors(const Number &three_p, const Number &void_ratio) const
     {
-      const Number share     = three_p * Number(inverse_hardness);
-      const Number x         = select(share > Number(1.), Number(1.), share);
-      const Number x_to_n    = power(x, Number(n));
-      const Number reduction = exponential(-x_to_n);
-      const Number e_d       = Number(e_d0) * reduction;
-      const Number e_i       = Number(e_i0) * reduction;
+      const Number share  = three_p * Number(inverse_hardness);
+      const Number x      = select(share > Number(1.), Number(1.), share);
+      const Number x_to_n = power(x, Number(n));
+      const Number growth = exponential(x_to_n); // e_i0 / e_i, e_d0 / e_d, ...
 
-      Number e = select(void_ratio < e_d, e_d, void_ratio);
-      e        = select(e > e_i, e_i, e);
-      const Number inverse_spread =
-        Number(1.) / (Number(e_c0 - e_d0) * reduction);
-      return {Number(stiffness_factor) * power(e_i / e, Number(beta)) *
-                (Number(1.) + Number(1.) / e_i) * (x / x_to_n),
-              power((e - e_d) * inverse_spread, Number(alpha))};
+      // The void ratio that it would have without pressure.
+      Number e = void_ratio * growth;
+      e        = select(e < Number(e_d0), Number(e_d0), e);
+      e        = select(e > Number(e_i0), Number(e_i0), e);
+      return {Number(stiffness_factor) * power(Number(e_i0) / e, Number(beta)) *
+                (Number(1.) + growth * Number(1. / e_i0)) * (x / x_to_n),
+              power((e - Number(e_d0)) * Number(1. / (e_c0 - e_d0)),
+                    Number(alpha))};
     }
 
     const double inverse_hardness; ///< 1 / h_s in 1/Pa
