@@ -173,6 +173,35 @@ TEST(Kolymbas, default_constants)
 
 
 
+// Which law is meant, which constants it takes, and the density below which its
+// grains don't touch.
+TEST(HypoplasticLaws, material_constants)
+{
+  MaterialConstants constants;
+  constants.void_ratio = 0.9;
+  for (const std::string model :
+       {"Drucker-Prager", "von Wolffersdorff", "Wu-Bauer", "Kolymbas"})
+    {
+      constants.model = model;
+      EXPECT_EQ(VonWolffersdorff::is_meant(constants),
+                model == "von Wolffersdorff");
+      EXPECT_EQ(WuBauer::is_meant(constants), model == "Wu-Bauer");
+      EXPECT_EQ(Kolymbas::is_meant(constants), model == "Kolymbas");
+    }
+  EXPECT_EQ(VonWolffersdorff(constants).initial_state()[0], 0.9);
+  EXPECT_DOUBLE_EQ(VonWolffersdorff(constants).loosest_density_share(),
+                   1.9 / 2.212);
+  EXPECT_DOUBLE_EQ(WuBauer(constants).loosest_density_share(), 1.9 / 2.08);
+  EXPECT_DOUBLE_EQ(Kolymbas(constants).loosest_density_share(), 1.9 / 2.08);
+
+  constants.law_constants = {{"e_i0", 1.3}, {"p_t", 2.}};
+  EXPECT_DOUBLE_EQ(VonWolffersdorff(constants).loosest_density_share(),
+                   1.9 / 2.3);
+  EXPECT_EQ(VonWolffersdorff(constants).small_pressure, 2.);
+}
+
+
+
 // Void ratios at all vertical stresses of the first loading.
 TEST(VonWolffersdorff, measured_oedometer_tests)
 {

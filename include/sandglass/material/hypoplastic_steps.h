@@ -13,11 +13,12 @@ namespace Sandglass
    * particle or for a block of them.
    *
    * Heun's step for the whole increment, two evaluations of the law, is enough
-   * for small ones: while it differs from Euler's by no more than a few
-   * ten-thousandths of the stress. Otherwise steps of Merson's method follow,
-   * of fourth order with an estimate of the error, five evaluations each, as
-   * long as their error allows. The law is smooth in an increment, whose
-   * direction is one, and stiff: its stress answers to strains of a thousandth.
+   * for small ones: while it differs from Euler's by no more than
+   * heun_tolerance. Otherwise steps of Merson's method follow, of fourth order
+   * and five evaluations each, as long as their estimated error allows. A
+   * method of high order pays: strain keeps its direction throughout an
+   * increment, so the law is smooth there, but sand's stress changes altogether
+   * within a strain of a thousandth.
    *
    * Each lane has steps of its own, and is left alone once it is through: its
    * result doesn't depend on its neighbours, nor on the number of ranks.
@@ -93,8 +94,9 @@ namespace Sandglass
     }
 
   private:
-    // Of the stress: by how much Heun's step may differ from Euler's, and the
-    // error of a step of Merson's method.
+    // As shares of the pressure: by how much Heun's step may differ from
+    // Euler's, and the error of a step of Merson's method. Errors add up along
+    // a path; from no stress to 1 MPa they stay below 1e-4.
     static constexpr double heun_tolerance   = 2e-4;
     static constexpr double merson_tolerance = 3e-6;
     /// Shortest step as a share of the increment; it is taken as it is.
