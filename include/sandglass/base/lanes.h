@@ -25,6 +25,7 @@ namespace Sandglass
 
     using Vector = double __attribute__((vector_size(n * sizeof(double))));
     using Mask   = long __attribute__((vector_size(n * sizeof(long))));
+    using Bits   = unsigned long __attribute__((vector_size(n * sizeof(long))));
 
     Lanes() = default;
 
@@ -43,6 +44,21 @@ namespace Sandglass
     store(double *numbers) const
     {
       *reinterpret_cast<Lanes *>(numbers) = *this;
+    }
+
+    /// The numbers that have these bits.
+    static Lanes
+    from_bits(const Bits &bits)
+    {
+      Lanes result;
+      result.vector = reinterpret_cast<Vector>(bits);
+      return result;
+    }
+
+    friend Bits
+    bits_of(const Lanes &a)
+    {
+      return reinterpret_cast<Bits>(a.vector);
     }
 
     double
