@@ -100,7 +100,7 @@ namespace
 // Loose sand at 100 kPa: f_p rises to eta_1 and stays there.
 TEST(Lade, drained_triaxial_test_fails_at_eta_1)
 {
-  const Lade             law(constants_with({{"p_t", 1e-2}}));
+  const Lade             law(constants_with({{"p_t", 1e-2}, {"dilation", 1.}}));
   auto                   state     = law.initial_state();
   SymmetricComponents<4> stress    = isotropic<4>(0.);
   const double           confining = -1e5;
@@ -396,6 +396,26 @@ TEST(Lade, softens_to_the_residual_strength)
     }
   EXPECT_NEAR(peak, constant("eta_1"), 0.01 * constant("eta_1"));
   EXPECT_NEAR(cone, 0.5 * constant("eta_1"), 1e-3 * constant("eta_1"));
+}
+
+
+
+// Volume grows up to the peak and some way beyond, and then no longer.
+TEST(Lade, dilation_fades_after_the_peak)
+{
+  const Lade             law(constants_with({}));
+  auto                   state   = law.initial_state();
+  SymmetricComponents<4> stress  = isotropic<4>(-1e4);
+  double                 lateral = 0.;
+  for (unsigned int step = 0; step < 800; ++step)
+    {
+      triaxial_step(law, -1e-3, -1e4, stress, state, lateral);
+      if (step == 50)
+        {
+          EXPECT_GT(lateral, 0.6e-3);
+        }
+    }
+  EXPECT_NEAR(lateral, 0.5e-3, 1e-7);
 }
 
 

@@ -16,8 +16,9 @@ namespace Sandglass
    * own direction, and a spherical cap that yields in compression.
    *
    * Of the constants that all laws share it takes Poisson's ratio. What it adds
-   * to Lade: a floor of the pressure, no stress in tension, and a strength that
-   * stays after the peak.
+   * to Lade: a floor of the pressure, no stress in tension, and what happens
+   * after the peak, which his tests end soon after: there the strength stays,
+   * and the volumetric flow fades, as in a critical state.
    */
   class Lade
   {
@@ -34,8 +35,8 @@ namespace Sandglass
     static constexpr bool has_constant_stiffness = false;
 
     /// Defaults: Lade's for loose Sacramento River sand (void ratio 0.87); the
-    /// last three are ours.
-    static constexpr std::array<LawConstant, 17> law_constants = {
+    /// last five are ours.
+    static constexpr std::array<LawConstant, 18> law_constants = {
       {{"K_ur", "1", 960., 1., 1e5, "modulus number of unloading"},
        {"n", "1", 0.57, 0., 0.99, "exponent of the modulus"},
        {"eta_1", "1", 28., 1e-3, 1e4, "f_p at failure"},
@@ -55,6 +56,12 @@ namespace Sandglass
         0.01,
         1.,
         "share of eta_1 that stays after the peak"},
+       {"dilation",
+        "1",
+        0.,
+        0.,
+        1.,
+        "share of the cone's volumetric flow that stays after the peak"},
        {"p_t", "Pa", 10., 1e-3, 1e6, "floor of the pressure"},
        {"loosest",
         "1",
@@ -259,6 +266,7 @@ namespace Sandglass
               get("C"),
               get("p"),
               get("residual"),
+              get("dilation"),
               get("p_t")};
     }
 

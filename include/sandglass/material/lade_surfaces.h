@@ -41,8 +41,9 @@ namespace Sandglass
     /// P, l: the work at the peak is P p_a (sigma_3 / p_a)^l.
     double peak_work, peak_work_exponent;
     double collapse, collapse_exponent; ///< C, p
-    /// The share of eta_1 that f_p never falls below after the peak.
-    double residual;
+    /// The share of eta_1 that f_p never falls below after the peak, and that
+    /// of the cone's volumetric plastic flow which never fades.
+    double residual, residual_dilation;
     /// In Pa. The law is that of Lade at a stress whose pressure is higher by
     /// this: without pressure he has neither stiffness nor strength.
     double floor_pressure;
@@ -202,14 +203,18 @@ namespace Sandglass
                                       -27.,
                                       std::max(0., cone));
       const double ratio = 1. / (first * first);
-      flow[0] = (3. + m * eta_2 / curve * third / first * ratio) * one -
-                (27. + eta_2 / curve) * ratio * minor;
+      const SymmetricComponents<n> normal =
+        (3. + m * eta_2 / curve * third / first * ratio) * one -
+        (27. + eta_2 / curve) * ratio * minor;
+      const double kept =
+        std::max(constants.residual_dilation, share_after_peak);
+      flow[0] = normal + (kept - 1.) / 3. * trace(normal) * one;
     }
 
     /**
      * The cone's value by its plastic work, eta_1 (x exp(1 - x))^(1/q) with x =
      * W_p / W_peak: what Lade's a exp(-b W_p) (W_p / p_a)^(1/q) is, if the peak
-     * is eta_1. Sets hardening[0] and value_by_smallest.
+     * is eta_1. Sets what depends on it.
      */
     double
     harden(const double work)
@@ -231,6 +236,7 @@ namespace Sandglass
       const double     x              = std::max(smallest_share, work / peak);
       const double     share          = std::exp((std::log(x) + 1. - x) / q);
       hardening[0]                    = 0.;
+      share_after_peak                = x > 1. ? share : 1.;
       value_by_smallest               = 0.;
       if (x > 1. && share <= constants.residual)
         return constants.failure * constants.residual;
@@ -258,6 +264,8 @@ namespace Sandglass
     }
 
     double value_by_smallest;
+    /// The cone's value over eta_1 without a residual one; one before the peak.
+    double share_after_peak;
   };
 } // namespace Sandglass
 
