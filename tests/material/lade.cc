@@ -415,7 +415,7 @@ TEST(Lade, dilation_fades_after_the_peak)
           EXPECT_GT(lateral, 0.6e-3);
         }
     }
-  EXPECT_NEAR(lateral, 0.5e-3, 1e-7);
+  EXPECT_NEAR(lateral, 0.5e-3, 1e-5);
 }
 
 
