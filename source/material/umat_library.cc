@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 // Abaqus' names and order of the arguments; all are passed by reference.
 #define SANDGLASS_UMAT_ARGUMENTS                                              \
@@ -89,7 +90,8 @@ namespace Sandglass
                        given,
                        "the path of a shared library is needed, because the "
                        "model is UMAT");
-    if (!std::filesystem::is_regular_file(given))
+    std::error_code unreadable; // not an exception, whatever the path is
+    if (!std::filesystem::is_regular_file(given, unreadable))
       throw InputError(section, "UMAT library", given, "there is no such file");
 
     // A name without a slash would be looked for in the system's directories.
