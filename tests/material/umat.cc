@@ -13,6 +13,21 @@
 
 using namespace Sandglass;
 
+namespace Sandglass
+{
+  /// As a rotation in space has to be for a law that wants to know it.
+  struct RotationInSpace
+  {
+    std::array<double, 9> entries;
+  };
+
+  std::array<double, 9>
+  rotation_numbers(const RotationInSpace &rotation)
+  {
+    return rotation.entries;
+  }
+} // namespace Sandglass
+
 namespace
 {
   template <int n>
@@ -25,6 +40,12 @@ namespace
   {
     SymmetricComponents<4>  strain;
     InPlaneRotation<double> rotation;
+  };
+
+  struct TurnedIncrementInSpace
+  {
+    SymmetricComponents<6> strain;
+    RotationInSpace        rotation;
   };
 
   /// What umat_probe.c does.
@@ -257,6 +278,22 @@ TEST(Umat, is_given_the_rotation)
       EXPECT_EQ(state[10], state[6]);
       EXPECT_EQ(state[8], 3 + 10 * 1 + 100 * 14 + 10000 * 2);
     }
+}
+
+
+
+TEST(Umat, is_given_the_rotation_in_space)
+{
+  MaterialConstants constants      = probe_constants(echo);
+  constants.n_umat_state_variables = 14;
+  const Umat             umat(constants);
+  SymmetricComponents<6> stress = SymmetricComponents<6>::Zero();
+  auto                   state  = umat.initial_state();
+  TurnedIncrementInSpace increment;
+  increment.strain.setZero();
+  increment.rotation.entries = {{1., 2., 3., 4., 5., 6., 7., 8., 9.}};
+  umat.correct(stress, state, umat.predict(increment, 1e-4));
+  EXPECT_EQ(state[6], 2.); // DROT(1, 2)
 }
 
 

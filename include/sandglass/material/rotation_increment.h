@@ -8,12 +8,14 @@
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 /**
  * A step's rotation as a few numbers, for laws that have to know it although
  * the stress has been turned already: rotation_numbers() packs it, so that it
- * can be part of a prediction, and rotation_matrix() unpacks it. Another kind
- * of rotation needs an overload of each.
+ * can be part of a prediction, and rotation_matrix() unpacks it. A rotation in
+ * space needs an overload of rotation_numbers() beside its class, which gives
+ * the nine entries of its matrix.
  */
 namespace Sandglass
 {
@@ -38,6 +40,14 @@ namespace Sandglass
     const double angle = 0.5 * std::atan2(numbers[1], numbers[0]);
     return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ())
       .toRotationMatrix();
+  }
+
+  /// Of the matrix's entries, row by row.
+  inline Eigen::Matrix3d
+  rotation_matrix(const std::array<double, 9> &numbers)
+  {
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    return Eigen::Map<const RowMajor>(numbers.data());
   }
 
   template <typename Increment, typename = void>
