@@ -223,6 +223,33 @@ TEST(Lade, surfaces_gradients_are_those_of_their_values)
 
 
 
+// Lade's own form, with a and b from the work at the peak.
+TEST(Lade, cone_hardens_as_lade_writes_it)
+{
+  const Lade             law(constants_with({{"residual", 0.01}}));
+  SymmetricComponents<4> stress(-5e4, -8e4, -3e4, 0.);
+  const double           smallest = (3e4 + constant("p_t")) / atmosphere;
+  const double           q = constant("alpha") + constant("beta") * smallest;
+  const double           peak =
+    constant("P") * atmosphere * std::pow(smallest, constant("l"));
+  const double a =
+    constant("eta_1") * std::pow(std::exp(1.) * atmosphere / peak, 1. / q);
+  const double b = 1. / (q * peak);
+  for (const double work : {0.1 * peak, peak, 3. * peak})
+    {
+      const auto at = law.surfaces(stress, {{work, 1.}});
+      EXPECT_NEAR(at.cone - constant("eta_1") * at.excess[0],
+                  a * std::exp(-b * work) * std::pow(work / atmosphere, 1. / q),
+                  1e-9);
+    }
+  // Stiffness by the smallest principal stress.
+  EXPECT_DOUBLE_EQ(law.surfaces(stress, {{1., 1.}}).elasticity().shear_modulus,
+                   constant("K_ur") * atmosphere *
+                     std::pow(smallest, constant("n")) / 2.4);
+}
+
+
+
 // The plastic flow of the cone is normal to g_p = I1^3 - (27 + eta_2 (p_a /
 // I1)^m) I3.
 TEST(Lade, flow_is_normal_to_the_potential)

@@ -1,5 +1,6 @@
 // Laws from shared libraries: two of our own, one of them in Fortran.
 
+#include <sandglass/continuum/in_plane_increment.h>
 #include <sandglass/material/drucker_prager.h>
 #include <sandglass/material/umat.h>
 
@@ -294,6 +295,36 @@ TEST(Umat, is_given_the_rotation_in_space)
   increment.rotation.entries = {{1., 2., 3., 4., 5., 6., 7., 8., 9.}};
   umat.correct(stress, state, umat.predict(increment, 1e-4));
   EXPECT_EQ(state[6], 2.); // DROT(1, 2)
+}
+
+
+
+// Where particles of a cell deform differently, the prediction has lanes too.
+TEST(Umat, lanes_may_each_have_their_own_increment)
+{
+  MaterialConstants constants      = probe_constants(echo);
+  constants.n_umat_state_variables = 14;
+  const Umat umat(constants);
+
+  alignas(Lanes) const double         numbers[4] = {0.01, 0.02, 0.03, 0.04};
+  const Lanes                         lanes      = Lanes::load(numbers);
+  std::array<std::array<Lanes, 2>, 2> gradient;
+  gradient[0] = {{lanes, Lanes(0.)}};
+  gradient[1] = {{Lanes(0.), Lanes(0.)}};
+  InPlaneIncrement<Lanes> increment(gradient, Lanes(0.));
+  increment.rotation = InPlaneRotation<Lanes>::forward_euler(lanes);
+  SymmetricComponents<4, Lanes> stress = isotropic<4>(Lanes(-1.));
+  LawState<Umat, Lanes>         state;
+  state.fill(Lanes(0.));
+  const Lanes work = umat.correct(stress, state, umat.predict(increment, 1e-4));
+  for (unsigned int lane = 0; lane < 4; ++lane)
+    {
+      EXPECT_EQ(state[0][lane], numbers[lane]);
+      EXPECT_NEAR(state[6][lane], -std::sin(numbers[lane]), 1e-4);
+      EXPECT_EQ(state[7][lane], 1e-4);
+      EXPECT_EQ(work[lane], -numbers[lane]);
+      EXPECT_EQ(stress[1][lane], -1.);
+    }
 }
 
 
