@@ -402,8 +402,14 @@ TEST(Lade, tension_leaves_no_stress)
   EXPECT_EQ(stress.norm(), 0.);
   strain_by<4>(law, {1e-2, 0., 0., 0.}, stress, state);
   EXPECT_EQ(stress.norm(), 0.);
+  auto                   tension_state = state;
+  SymmetricComponents<4> tension(2e3, 1e3, 1e3, 300.);
   strain_by<4>(law, {0., -1e-3, 0., 0.}, stress, state);
   EXPECT_LT(stress[1], -100.);
+
+  // A tension at the start is none.
+  strain_by<4>(law, {0., -1e-3, 0., 0.}, tension, tension_state);
+  EXPECT_EQ(tension, stress);
 }
 
 
