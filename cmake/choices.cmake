@@ -20,7 +20,12 @@ set(choices_of_cell_types
 set(choices_of_laws
   DruckerPrager
   MatsuokaNakai
-  MuI)
+  MuI
+  VonWolffersdorff
+  WuBauer
+  Kolymbas
+  Lade
+  Umat)
 
 # Those of them that Material/Stress rate = Green-Naghdi offers as well.
 set(choices_of_laws_with_green_naghdi
@@ -58,6 +63,9 @@ foreach(entry ${choices_of_kinematics})
   list(APPEND kinematics_list ${kinematics})
   sandglass_file_of(file ${kinematics})
   string(APPEND choices_includes "#include <sandglass/continuum/${file}.h>\n")
+  set(source ${PROJECT_BINARY_DIR}/source/material_equilibrium_${file}.cc)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/material_equilibrium.cc.in ${source} @ONLY)
+  list(APPEND choices_sources ${source})
 
   foreach(cells ${choices_of_cell_types})
     string(REPLACE " " ";" cells ${cells})

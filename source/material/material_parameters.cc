@@ -104,6 +104,7 @@ namespace Sandglass
         add_laws();
         add_elasticity_and_friction();
         add_law_constants();
+        add_umat();
       }
 
     private:
@@ -205,6 +206,29 @@ namespace Sandglass
                                   "the law Drucker-Prager, costs four more "
                                   "numbers a particle; in large elastic shear "
                                   "stress does not oscillate with it.");
+      }
+
+      void
+      add_umat()
+      {
+        add_text(section,
+                 "UMAT library",
+                 section.umat_library,
+                 Patterns::Anything(),
+                 "Shared library with the user-material subroutine of the law "
+                 "UMAT.");
+        section.add_parameter("UMAT constants",
+                              section.umat_constants,
+                              "Numbers that the subroutine gets (PROPS), in "
+                              "its order, with commas between.",
+                              section.prm,
+                              Patterns::List(Patterns::Double(), 0, 1000));
+        add_integer(section,
+                    "UMAT state variables",
+                    section.n_umat_state_variables,
+                    0,
+                    Umat::max_state_variables,
+                    "How many numbers the subroutine keeps (STATEV).");
       }
 
       MaterialParameters &section;

@@ -79,7 +79,8 @@ namespace Sandglass
     constexpr double rounding = 1e-10;
 
     const double fall = before.dissipated_energy - row.totals.dissipated_energy;
-    if (fall > rounding * std::abs(before.dissipated_energy))
+    if (!row.totals.dissipation_can_fall &&
+        fall > rounding * std::abs(before.dissipated_energy))
       log.stream() << "Warning: by t = " << row.clock.time
                    << " s the dissipated energy has fallen by " << fall
                    << " J, which no material or wall does. Do not trust the "

@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/flow/throw_law_failure.h>
 #include <sandglass/flow/updated_lagrangian/settlement_check.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/silo_measures.h>
@@ -25,6 +26,11 @@ namespace Sandglass
       try
         {
           state = static_stage.run();
+        }
+      catch (const LawFailure &failure)
+        {
+          throw_law_failure(std::string("State at rest: ") + failure.what(),
+                            scene.communicator);
         }
       catch (const RunError &error)
         {

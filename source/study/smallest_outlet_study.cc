@@ -6,6 +6,7 @@
 #include <sandglass/output/csv_file.h>
 #include <sandglass/output/jenike.h>
 #include <sandglass/output/json_object.h>
+#include <sandglass/output/output_directory.h>
 #include <sandglass/output/replace_file.h>
 #include <sandglass/study/silo_study.h>
 #include <sandglass/study/smallest_outlet.h>

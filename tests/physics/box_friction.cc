@@ -10,7 +10,7 @@ using namespace Sandglass;
 
 namespace
 {
-  constexpr double depth = 0.05, angle = 20., pressure = 3e3;
+  constexpr double depth = 0.05, angle = 20., mean_pressure = 3e3;
 
   /// A square full of material under pressure, without gravity, that moves
   /// along.
@@ -31,7 +31,7 @@ namespace
       fixture.start(rectangle.mesh());
       fixture.change_particles([&](auto, const auto &, auto properties) {
         for (int c = 0; c < 3; ++c)
-          properties[StageLayout::stress + c] = -pressure;
+          properties[StageLayout::stress + c] = -mean_pressure;
         properties[StageLayout::velocity]     = 0.6 * speed;
         properties[StageLayout::velocity + 1] = 0.8 * speed;
       });
@@ -69,7 +69,7 @@ TEST_P(BoxFrictionTest, slows_down_what_moves)
   constexpr double time_step = 1e-4, speed = 1.;
   start(speed, time_step);
   const double loss = 2. * std::tan(angle * dealii::numbers::PI / 180.) *
-                      pressure * time_step /
+                      mean_pressure * time_step /
                       (fixture.material.density * depth);
   EXPECT_GT(loss, 1e-3);
   for_each_inside([&](const double x, const double y) {

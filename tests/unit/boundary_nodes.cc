@@ -179,6 +179,33 @@ TEST(BoundaryNodes, WallsInAPlaneAreOneSupportWithTheirShares)
             std::tan(30. * numbers::PI / 180.));
 }
 
+// Friction pulls the material along with the mean of the walls' velocities by
+// their shares of the friction, not of the area.
+TEST(BoundaryNodes, WallsInAPlanePullWithTheirSharesOfFriction)
+{
+  StageFixture fixture;
+  fixture.walls.friction_angle  = 20.;
+  fixture.walls.friction_angles = {{"lining", {10.}}};
+  fixture.walls.velocities      = {{"lining", {0., 0.5}}, {"wall", {0., -0.1}}};
+  Mesh<2> mesh                  = Rectangle().mesh();
+  mesh.named_walls              = {"lining"};
+  for (auto &face : mesh.faces)
+    if (face.role == BoundaryRole::wall &&
+        mesh.vertices[face.vertices[0]][1] < 0.4)
+      face.named_wall = 0;
+  fixture.start(mesh);
+  const auto  nodes  = find_nodes(fixture);
+  const auto *middle = node_at(nodes, {1., 0.5});
+  ASSERT_NE(middle, nullptr);
+  ASSERT_EQ(middle->supports.size(), 1u);
+  const double mu        = std::tan(20. * numbers::PI / 180.);
+  const double mu_lining = std::tan(10. * numbers::PI / 180.);
+  EXPECT_NEAR(middle->supports[0].velocity[1],
+              (0.5 * mu_lining - 0.1 * mu) / (mu + mu_lining),
+              1e-14);
+  EXPECT_EQ(middle->supports[0].velocity[0], 0.);
+}
+
 // With a friction of its own it carries its own share on its edge too.
 TEST(BoundaryNodes, AClosedOutletWithAFrictionOfItsOwnKeepsItsEdge)
 {

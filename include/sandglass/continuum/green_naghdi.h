@@ -25,6 +25,9 @@ namespace Sandglass
     static constexpr auto       &law_constants = Law::law_constants;
     static constexpr bool        has_cohesion  = Law::has_cohesion;
 
+    static constexpr bool dissipation_can_fall = Law::dissipation_can_fall;
+    static constexpr bool can_fail             = Law::can_fail;
+
     static constexpr bool has_constant_stiffness = Law::has_constant_stiffness;
 
     static constexpr unsigned int n_of_law = n_state_numbers<Law>();

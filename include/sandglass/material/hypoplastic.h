@@ -44,6 +44,12 @@ namespace Sandglass
     /// Stiffness grows with stress.
     static constexpr bool has_constant_stiffness = false;
 
+    static constexpr bool has_cohesion = false;
+
+    /// Without an elastic energy; see correct().
+    static constexpr bool dissipation_can_fall = true;
+    static constexpr bool can_fail = false;
+
     static bool
     is_meant(const MaterialConstants &constants)
     {
@@ -121,16 +127,21 @@ namespace Sandglass
             const Increment                   &increment,
             const double                       elastic_share) const
     {
-      SymmetricComponents<n> strain = increment.strain;
-      SymmetricComponents<n> end    = stress;
-      State                  after  = state;
-      correct(end, after, strain);
+      constexpr double relative_difference = 1e-3;
+
+      SymmetricComponents<n> end   = stress;
+      State                  after = state;
+      correct(end, after, increment.strain);
 
       const Elasticity elastic = stiffness_bound(end, after);
       const double     share   = pressure(end) > 0. ? elastic_share : 1.;
 
       MaterialTangent<n> tangent =
-        numerical_tangent(law(), stress, state, strain, stress_scale(stress));
+        numerical_tangent(law(),
+                          stress,
+                          state,
+                          increment,
+                          relative_difference * stress_scale(stress));
       tangent.by_stress = (1. - share) * tangent.by_stress +
                           share * ComponentMatrix<n>::Identity();
       tangent.by_strain = (1. - share) * tangent.by_strain +

@@ -30,6 +30,8 @@ namespace Sandglass
     static constexpr std::array<LawConstant, 0>   law_constants   = {};
 
     static constexpr bool has_cohesion = true;
+    static constexpr bool dissipation_can_fall = false;
+    static constexpr bool can_fail = false;
 
     /// Whether stiffness_bound() is the same for all states.
     static constexpr bool has_constant_stiffness = true;

@@ -38,6 +38,8 @@ namespace Sandglass
        {"rho_s", "kg/m^3", 2500., 1e-3, 1e6, "density of the grains"}}};
 
     static constexpr bool has_cohesion           = true;
+    static constexpr bool dissipation_can_fall = false;
+    static constexpr bool can_fail = false;
     static constexpr bool has_constant_stiffness = true;
 
     static bool

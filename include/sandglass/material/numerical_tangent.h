@@ -4,65 +4,75 @@
 #include <sandglass/continuum/material_tangent.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace Sandglass
 {
   /**
-   * Tangent of a law's correct() by central differences, four at a time.
+   * Derivatives of a law's correct() by central differences, of an increment
+   * without a time step (the state at rest has none).
    *
-   * @param stress,state  at the increment's start, stress turned and in Pa.
-   * @param strain  the increment, which correct() must take as it is.
-   * @param stress_scale  in Pa, positive: what is a change of this stress at
-   * all. Differences are taken with a thousandth of it, and with the strain to
-   * which the law answers by about as much. This is far above what an adaptive
-   * integration adds to the result, and far below what bends it.
+   * @param stress,state  at the increment's start, turned, in Pa.
+   * @param stress_step  in Pa, positive: by how much stresses differ; strains
+   * differ by as much as the law's stiffness bound answers with it. It has to
+   * be far above what an adaptive integration adds to the result, and far below
+   * what bends the law.
    */
-  template <typename Law, int n, std::size_t n_state>
+  template <typename Law, int n, typename State, typename Increment>
   MaterialTangent<n>
   numerical_tangent(const Law                         &law,
                     const Eigen::Matrix<double, n, 1> &stress,
-                    const std::array<double, n_state> &state,
-                    const Eigen::Matrix<double, n, 1> &strain,
-                    const double                       stress_scale)
+                    const State                       &state,
+                    const Increment                   &increment,
+                    const double                       stress_step)
   {
-    constexpr double relative_difference = 1e-3;
-    const double     stress_step         = relative_difference * stress_scale;
-    const double     strain_step =
+    const auto corrected = [&](const Eigen::Matrix<double, n, 1> &start,
+                               const Increment                   &step) {
+      Eigen::Matrix<double, n, 1> result    = start;
+      State                       new_state = state;
+      law.correct(result, new_state, law.predict(step, 0.));
+      return result;
+    };
+    const double strain_step =
       stress_step / law.stiffness_bound(stress, state).confined_modulus();
 
-    // The columns of both matrices, first by stress and then by strain, each
-    // with both signs: two columns in a block of four.
-    constexpr int       n_columns = 2 * n;
-    MaterialTangent<n>  tangent;
-    ComponentMatrix<n> *matrices[2] = {&tangent.by_stress, &tangent.by_strain};
-    const double        steps[2]    = {stress_step, strain_step};
-    for (int first = 0; first < n_columns; first += 2)
+    MaterialTangent<n> tangent;
+    for (int c = 0; c < n; ++c)
       {
-        SymmetricComponents<n, Lanes> stresses = stress.template cast<Lanes>();
-        SymmetricComponents<n, Lanes> strains  = strain.template cast<Lanes>();
-        std::array<Lanes, n_state>    states;
-        for (std::size_t i = 0; i < n_state; ++i)
-          states[i] = Lanes(state[i]);
-        for (int column = first; column < first + 2; ++column)
-          {
-            alignas(Lanes) double signs[Lanes::n] = {};
-            signs[2 * (column - first)]           = 1.;
-            signs[2 * (column - first) + 1]       = -1.;
-            const bool by_strain                  = column >= n;
-            (by_strain ? strains : stresses)[column % n] +=
-              Lanes(steps[by_strain]) * Lanes::load(signs);
-          }
-        law.correct(stresses, states, strains);
-        for (int column = first; column < first + 2; ++column)
-          for (int c = 0; c < n; ++c)
-            (*matrices[column >= n])(c, column % n) =
-              (stresses[c][2 * (column - first)] -
-               stresses[c][2 * (column - first) + 1]) /
-              (2. * steps[column >= n]);
+        Increment more = increment, less = increment;
+        more.strain[c] += strain_step;
+        less.strain[c] -= strain_step;
+        tangent.by_strain.col(c) =
+          (corrected(stress, more) - corrected(stress, less)) /
+          (2. * strain_step);
+        Eigen::Matrix<double, n, 1> higher = stress, lower = stress;
+        higher[c] += stress_step;
+        lower[c] -= stress_step;
+        tangent.by_stress.col(c) =
+          (corrected(higher, increment) - corrected(lower, increment)) /
+          (2. * stress_step);
       }
     return tangent;
+  }
+
+  /// The same with differences of a ten-thousandth of the stress or of what the
+  /// increment makes of it.
+  template <typename Law, int n, typename State, typename Increment>
+  MaterialTangent<n>
+  numerical_tangent(const Law                         &law,
+                    const Eigen::Matrix<double, n, 1> &stress,
+                    const State                       &state,
+                    const Increment                   &increment)
+  {
+    constexpr double relative = 1e-4, smallest_strain = 1e-7;
+    const double     modulus =
+      law.stiffness_bound(stress, state).confined_modulus();
+    const double step =
+      std::max(smallest_strain * modulus,
+               relative * std::max(stress.cwiseAbs().maxCoeff(),
+                                   modulus *
+                                     increment.strain.cwiseAbs().maxCoeff()));
+    return numerical_tangent(law, stress, state, increment, step);
   }
 } // namespace Sandglass
 

@@ -33,7 +33,7 @@ namespace Sandglass
           scene.formulation != Formulation::plane_strain)
         throw InputError("Walls",
                          "Box depth",
-                         to_text(walls.box_depth),
+                         std::to_string(walls.box_depth),
                          "allowed is 0 unless the formulation is plane strain");
     }
   };

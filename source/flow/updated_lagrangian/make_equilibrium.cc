@@ -1,5 +1,5 @@
 #include <sandglass/choices.h>
-#include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+#include <sandglass/flow/updated_lagrangian/make_material_equilibrium.h>
 
 namespace Sandglass
 {
@@ -12,12 +12,9 @@ namespace Sandglass
   {
     std::unique_ptr<Equilibrium<dim>> equilibrium;
     choose_kinematics<dim>(formulation, [&](const auto kinematics) {
-      choose_law(material, [&](const auto law) {
-        using Kinematics = typename decltype(kinematics)::Type;
-        using Law        = typename decltype(law)::Type;
-        equilibrium = std::make_unique<MaterialEquilibrium<Kinematics, Law>>(
-          grid, Law(material), material.density, gravity);
-      });
+      equilibrium =
+        make_material_equilibrium<typename decltype(kinematics)::Type>(
+          grid, material, gravity);
     });
     return equilibrium;
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace Sandglass
 {
@@ -34,11 +35,13 @@ namespace Sandglass
       : is_on(walls.box_depth > 0.)
       , geometry(geometry)
       , nodes(nodes)
-      , limits(is_on ? nodes : Utilities::MPI::Partitioner())
       , friction_per_depth(is_on ? 2. * walls.box_friction_coefficient() /
                                      walls.box_depth :
                                    0.)
-    {}
+    {
+      if (is_on)
+        limits.emplace(nodes);
+    }
 
     /**
      * Slow the nodes down, before contact sees them.
@@ -73,7 +76,7 @@ namespace Sandglass
             }
           const double speed = std::sqrt(square);
           const double loss =
-            std::min(speed, time_step * limits.at(node)[0] / mass);
+            std::min(speed, time_step * limits->at(node)[0] / mass);
           if (!(loss > 0.))
             continue;
           for (unsigned int d = 0; d < dim; ++d)
@@ -92,7 +95,7 @@ namespace Sandglass
     find_limits(const Blocks &blocks, const NodalSums<Setting> &cells)
     {
       using Sums = CellSums<Setting, double>;
-      limits.start_sum();
+      limits->start_sum();
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
         const auto  &values   = cells[cell].values;
         const double pressure = -0.5 * (values[Sums::stress + Component::xx] +
@@ -105,15 +108,15 @@ namespace Sandglass
           mass += of_node;
         const auto &cell_nodes = geometry.nodes(cell);
         for (unsigned int i = 0; i < masses.size(); ++i)
-          limits.at(cell_nodes[i])[0] +=
+          limits->at(cell_nodes[i])[0] +=
             friction_per_depth * pressure * masses[i] / mass;
       });
-      limits.finish_sum();
+      limits->finish_sum();
     }
 
     const Geometry                    &geometry;
     const Utilities::MPI::Partitioner &nodes;
-    NodalField<1>                      limits; ///< in N
+    std::optional<NodalField<1>>       limits; ///< in N
     const double friction_per_depth;           ///< 2 mu / W, in 1/m
   };
 } // namespace Sandglass

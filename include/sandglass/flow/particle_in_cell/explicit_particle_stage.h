@@ -7,6 +7,7 @@
 #include <sandglass/flow/particle_in_cell/law_interface.h>
 #include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
+#include <sandglass/flow/throw_law_failure.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
 #include <sandglass/flow/particle_in_cell/stage_totals.h>
 #include <sandglass/particles/seeding.h>
@@ -119,13 +120,7 @@ namespace Sandglass
       // Steps 6, 8 and 9: velocity, stress, density and position
       begin(StepPart::particles);
       particle_steps += cloud.n_locally_owned_particles();
-      plastic_dissipation += law->pass(cloud.change_blocks(),
-                                       fields.acceleration,
-                                       fields.mapped_velocity,
-                                       time,
-                                       nodal_sums,
-                                       volumetric_average,
-                                       strays);
+      pass_over_particles();
       begin(StepPart::relocation);
       const auto &arrivals = relocation.relocate(strays, cloud, time);
       for_each_sums([&](auto &cells) { cells.add(cloud.blocks(), arrivals); });
@@ -162,6 +157,26 @@ namespace Sandglass
     using Stage::removed;
     using Stage::scene;
     using Stage::time;
+
+    void
+    pass_over_particles()
+    {
+      try
+        {
+          plastic_dissipation += law->pass(cloud.change_blocks(),
+                                           fields.acceleration,
+                                           fields.mapped_velocity,
+                                           time,
+                                           nodal_sums,
+                                           volumetric_average,
+                                           strays);
+        }
+      catch (const LawFailure &failure)
+        {
+          throw_law_failure(describe(time) + failure.what(),
+                            scene.communicator);
+        }
+    }
 
     /// Call `function(sums)` for the sums over particles in their cells.
     template <typename Function>

@@ -21,7 +21,7 @@ namespace Sandglass
     LawAdapter(const MaterialConstants       &constants,
                const ParticleStageParameters &parameters,
                const Geometry                &geometry)
-      : Base(Law::has_constant_stiffness)
+      : Base(Law::has_constant_stiffness, Law::dissipation_can_fall)
       , stress_update(Law(constants),
                       constants.density,
                       parameters.density_update)

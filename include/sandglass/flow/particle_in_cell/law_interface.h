@@ -28,8 +28,10 @@ namespace Sandglass
     using Layout = typename Setting::Layout;
     using Blocks = ParticleBlocks<Layout>;
 
-    explicit LawInterface(const bool has_constant_stiffness)
+    LawInterface(const bool has_constant_stiffness,
+                 const bool dissipation_can_fall)
       : has_constant_stiffness(has_constant_stiffness)
+      , dissipation_can_fall(dissipation_can_fall)
     {}
 
     virtual ~LawInterface() = default;
@@ -77,6 +79,9 @@ namespace Sandglass
 
     /// Whether stiffness_bound() is the same for all states.
     const bool has_constant_stiffness;
+
+    /// Whether the law can't tell elastic energy from what is dissipated.
+    const bool dissipation_can_fall;
   };
 
   /**

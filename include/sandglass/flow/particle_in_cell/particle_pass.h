@@ -6,7 +6,10 @@
 #include <sandglass/flow/particle_in_cell/particle_motion.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
 #include <sandglass/flow/particle_in_cell/volumetric_average.h>
+#include <sandglass/material/law_failure.h>
 #include <sandglass/particles/strays.h>
+
+#include <sstream>
 
 namespace Sandglass
 {
@@ -122,7 +125,7 @@ namespace Sandglass
 
         const auto  velocity = interpolate(velocities, values);
         const Lanes work_density =
-          stress_update(state, deformation(state, velocity));
+          update_stress(state, deformation(state, velocity), {cell, block, 0}, blocks);
         dissipation += state.volume() * work_density;
 
         move(velocity, time_step, shape, state);
@@ -143,6 +146,34 @@ namespace Sandglass
       sums.cells.set(cell, cell_sums);
       if constexpr (is_averaged)
         volumetric_average.cells->set(cell, volumetric_sums);
+    }
+
+    /// Step 8. Where the law fails, the message names the particle.
+    template <typename State, typename ParticleDeformation>
+    Lanes
+    update_stress(State                     &state,
+                  const ParticleDeformation &deformation,
+                  ParticleSlot               slot,
+                  const Blocks              &blocks) const
+    {
+      if constexpr (!Law::can_fail)
+        return stress_update(state, deformation);
+      else
+        try
+          {
+            return stress_update(state, deformation);
+          }
+        catch (const LawFailure &failure)
+          {
+            slot.lane = failure.lane;
+            std::ostringstream message;
+            message << "particle " << blocks.id(slot) << " at ("
+                    << state.location[0][slot.lane];
+            for (int d = 1; d < dim; ++d)
+              message << ", " << state.location[d][slot.lane];
+            message << ") m: " << failure.what();
+            throw LawFailure(message.str());
+          }
     }
 
     static void

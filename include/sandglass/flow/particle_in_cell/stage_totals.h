@@ -104,6 +104,7 @@ namespace Sandglass
     Utilities::MPI::sum(ArrayView<const double>(view), communicator, view);
 
     FlowTotals totals;
+    totals.dissipation_can_fall = law.dissipation_can_fall;
     totals.mass_in_silo      = sums[Totals::mass_in_silo];
     totals.mass_falling      = sums[Totals::mass_falling];
     totals.mass_removed      = sums[n];

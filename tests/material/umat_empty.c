@@ -1,0 +1,3 @@
+/* A library without a user-material subroutine, for tests. */
+
+const int sandglass_umat_none = 0;
