@@ -351,14 +351,14 @@ TEST(Lade, no_direction_is_special)
 
 
 /// The largest relative difference of random increments in one step from the
-/// same in a hundred, with a bound on the error as tight as can be.
+/// same in thirty, with a bound on the error as tight as can be.
 double
 largest_error(const Lade &law)
 {
   std::mt19937 engine = random_engine();
-  const Lade   tight(constants_with({{"tolerance", 1e-8}}));
+  const Lade   tight(constants_with({{"tolerance", 1e-7}}));
   double       largest = 0.;
-  for (unsigned int i = 0; i < 50; ++i)
+  for (unsigned int i = 0; i < 20; ++i)
     {
       // A first increment, so that works and stress belong together.
       auto                   state = law.initial_state();
@@ -369,8 +369,8 @@ largest_error(const Lade &law)
       auto exact       = stress;
       auto exact_state = state;
       strain_by<6>(law, strain, stress, state);
-      for (unsigned int step = 0; step < 100; ++step)
-        strain_by<6>(tight, strain / 100., exact, exact_state);
+      for (unsigned int step = 0; step < 30; ++step)
+        strain_by<6>(tight, strain / 30., exact, exact_state);
       if (exact.norm() > 0.)
         largest = std::max(largest, (stress - exact).norm() / exact.norm());
 
@@ -490,12 +490,13 @@ TEST(Lade, extreme_input_leaves_finite_stress)
   std::mt19937                           engine = random_engine();
   std::uniform_real_distribution<double> unit(-1., 1.);
   std::normal_distribution<double>       normal;
-  for (unsigned int i = 0; i < 1000; ++i)
+  for (unsigned int i = 0; i < 300; ++i)
     {
-      const Lade law(constants_with({{"residual", i % 3 == 0 ? 0.01 : 1.}}));
+      const Lade   law(constants_with({{"residual", i % 3 == 0 ? 0.01 : 1.}}));
+      const double range = i % 2 == 0 ? 200. : 8.;
       SymmetricComponents<6> stress, strain;
-      const double           stress_size = std::pow(10., 20. * unit(engine));
-      const double           strain_size = std::pow(10., 10. * unit(engine));
+      const double           stress_size = std::pow(10., range * unit(engine));
+      const double strain_size = std::pow(10., 0.5 * range * unit(engine));
       for (int c = 0; c < 6; ++c)
         {
           stress[c] = stress_size * (normal(engine) - (c < 3 ? 2. : 0.));
