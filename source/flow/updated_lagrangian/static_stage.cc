@@ -53,6 +53,15 @@ namespace Sandglass
 
 
 
+  namespace
+  {
+    /// Of a load step, for laws whose stiffness vanishes with stress: they are
+    /// hard to load at first.
+    constexpr double first_share = 0.01;
+  } // namespace
+
+
+
   template <int dim>
   StaticStage<dim>::StaticStage(const Scene<dim>         &scene,
                                 const MaterialParameters &material_parameters,
@@ -75,7 +84,8 @@ namespace Sandglass
               equilibrium->confined_modulus())
     , solver(filled_grid, *equilibrium, contact, parameters)
     , has_weight(equilibrium->weight().l2_norm() > 0.)
-    , load_step(1. / parameters.n_load_steps)
+    , load_step((equilibrium->has_constant_stiffness() ? 1. : first_share) /
+                parameters.n_load_steps)
     , displacement(filled_grid.make_vector())
     , predictor(displacement)
   {

@@ -92,6 +92,10 @@ namespace Sandglass
     virtual double
     confined_modulus() const = 0;
 
+    /// Whether material without stress is as stiff as any.
+    virtual bool
+    has_constant_stiffness() const = 0;
+
   protected:
     explicit Equilibrium(const FilledGrid<dim> &grid)
       : nodal_weight(grid.make_vector())

@@ -95,6 +95,12 @@ namespace Sandglass
       return law.stiffness_bound().confined_modulus();
     }
 
+    bool
+    has_constant_stiffness() const override
+    {
+      return Law::has_constant_stiffness;
+    }
+
     /// Quadrature point q of active cell i has the index i * n_points + q. Only
     /// those of FilledGrid::local_cells mean anything.
     const std::vector<MaterialPoint> &
