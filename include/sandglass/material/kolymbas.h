@@ -30,7 +30,7 @@ namespace Sandglass
      * By default a material like Wu-Bauer's: the critical friction angle
      * phi = 24.9 degrees, the stress ratio 1 - sin(phi) in laterally confined
      * compression, and 150 times the pressure as initial Young's modulus. These
-     * are four linear equations for the four constants.
+     * are four linear equations for the four constants. p_t as Wu-Bauer's.
      */
     static constexpr std::array<LawConstant, 5> law_constants = {
       {{"C_1", "1", -147.799, -1e5, 0., "factor of (sigma D + D sigma) / 2"},
@@ -39,7 +39,7 @@ namespace Sandglass
        {"C_4", "1", -275.903, -1e5, 1e5, "factor of sigma^2 ||D||"},
        {"p_t",
         "Pa",
-        10.,
+        100.,
         1e-3,
         1e5,
         "small pressure whose stiffness material without stress has"}}};
