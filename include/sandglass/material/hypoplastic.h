@@ -49,6 +49,7 @@ namespace Sandglass
     /// Without an elastic energy; see correct().
     static constexpr bool dissipation_can_fall = true;
     static constexpr bool can_fail = false;
+    static constexpr bool pressure_follows_density = false;
 
     static bool
     is_meant(const MaterialConstants &constants)

@@ -36,7 +36,7 @@ namespace Sandglass
 
     /// Defaults: Lade's for loose Sacramento River sand (void ratio 0.87); the
     /// last five are ours.
-    static constexpr std::array<LawConstant, 18> law_constants = {
+    static constexpr std::array<LawConstant, 19> law_constants = {
       {{"K_ur", "1", 960., 1., 1e5, "modulus number of unloading"},
        {"n", "1", 0.57, 0., 0.99, "exponent of the modulus"},
        {"eta_1", "1", 28., 1e-3, 1e4, "f_p at failure"},
@@ -69,6 +69,13 @@ namespace Sandglass
         0.,
         1.,
         "density below which no stress is carried, over the unstressed one"},
+       {"conservative",
+        "1",
+        1.,
+        0.,
+        1.,
+        "1: elasticity of Lade and Nelson (1987), which conserves energy; 0: "
+        "that of 1977, by the smallest principal stress"},
        {"tolerance",
         "1",
         1e-4,
@@ -79,6 +86,7 @@ namespace Sandglass
     static constexpr bool has_cohesion         = false;
     static constexpr bool dissipation_can_fall = false;
     static constexpr bool can_fail = false;
+    static constexpr bool pressure_follows_density = false;
 
     static bool
     is_meant(const MaterialConstants &constants)
@@ -272,7 +280,8 @@ namespace Sandglass
               get("p"),
               get("residual"),
               get("dilation"),
-              get("p_t")};
+              get("p_t"),
+              get("conservative") > 0.5};
     }
 
     static constexpr double largest_stress = 1e12; ///< in Pa

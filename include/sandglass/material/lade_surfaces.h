@@ -47,6 +47,8 @@ namespace Sandglass
     /// In Pa. The law is that of Lade at a stress whose pressure is higher by
     /// this: without pressure he has neither stiffness nor strength.
     double floor_pressure;
+    /// Whether the elasticity does; see LadeSurfaces::elasticity().
+    bool conserves_energy;
   };
 
   /// Smallest principal stress and its derivative, in the plane.
@@ -138,16 +140,27 @@ namespace Sandglass
       set_cap(point.work[1]);
     }
 
-    /// E_ur = K_ur p_a (sigma_3 / p_a)^n
+    /**
+     * E_ur = K_ur p_a (sigma_3 / p_a)^n, which gives and takes energy in cycles
+     * of stress, or with a measure of stress in place of sigma_3 that is equal
+     * to it without shear and conserves energy (Lade and Nelson 1987):
+     * the root of (I1 / 3)^2 + 2 / 3 (1 + nu) / (1 - 2 nu) J2.
+     */
     Elasticity
     elasticity() const
     {
       constexpr double p_a = LadeConstants::atmospheric_pressure;
+      const double     nu  = constants.poisson_ratio;
+      double           measure = smallest_stress;
+      if (constants.conserves_energy)
+        measure =
+          std::sqrt(first * first / 9. +
+                    2. / 9. * (1. + nu) / (1. - 2. * nu) *
+                      squared_von_mises_stress(stress));
       return {constants.modulus_number * p_a *
-                std::pow(std::max(smallest_stress, constants.floor_pressure) /
-                           p_a,
+                std::pow(std::max(measure, constants.floor_pressure) / p_a,
                          constants.modulus_exponent),
-              constants.poisson_ratio};
+              nu};
     }
 
     const LadeConstants         &constants;
