@@ -1,6 +1,7 @@
 #ifndef sandglass_run_parameters_h
 #define sandglass_run_parameters_h
 
+#include <sandglass/element_test/element_test_parameters.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/material/material_parameters.h>
@@ -18,6 +19,7 @@ namespace Sandglass
     WallParameters          walls;
     StaticStageParameters   static_stage;
     ParticleStageParameters particle_stage;
+    ElementTestParameters   element_test;
     OutputParameters        output;
 
     /// Checks between parameters; throws InputError.
@@ -28,6 +30,7 @@ namespace Sandglass
       material.check();
       walls.check();
       particle_stage.check();
+      element_test.check();
     }
   };
 } // namespace Sandglass
