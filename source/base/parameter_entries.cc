@@ -333,30 +333,6 @@ namespace Sandglass
 
 
   void
-  add_three_numbers(ParameterAcceptor     &section,
-                    const std::string     &name,
-                    std::array<double, 3> &variable,
-                    const BoundedNumber   &bounds,
-                    const std::string     &unit,
-                    const std::string     &documentation)
-  {
-    std::ostringstream default_text;
-    default_text << variable[0] << ", " << variable[1] << ", " << variable[2];
-    add_entry(section,
-              name,
-              default_text.str(),
-              Patterns::List(bounds, 3, 3),
-              documentation + " Units: " + unit + ".",
-              [&variable](const std::string &text) {
-                const auto numbers = Utilities::split_string_list(text);
-                for (unsigned int i = 0; i < variable.size(); ++i)
-                  variable[i] = Utilities::string_to_double(numbers[i]);
-              });
-  }
-
-
-
-  void
   add_integer(ParameterAcceptor &section,
               const std::string &name,
               unsigned int      &variable,

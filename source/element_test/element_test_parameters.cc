@@ -1,12 +1,44 @@
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
 #include <sandglass/base/exceptions.h>
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/element_test/element_test_parameters.h>
 #include <sandglass/output/csv_file.h>
 
+#include <algorithm>
+#include <sstream>
+
 namespace Sandglass
 {
+  using namespace dealii;
+
   namespace
   {
+    void
+    add_initial_stress(ElementTestParameters &section)
+    {
+      auto              &stress = section.initial_stress;
+      std::ostringstream default_text;
+      default_text << stress[0] << ", " << stress[1] << ", " << stress[2];
+      section.enter_my_subsection(section.prm);
+      section.prm.declare_entry(
+        "Initial stress",
+        default_text.str(),
+        Patterns::List(BoundedNumber::at_least(0.), 3, 3),
+        "Axial stress, lateral stress, and stress out of the plane (the other "
+        "lateral one) at the start, compression positive. Units: Pa.");
+      section.prm.add_action(
+        "Initial stress", [&stress](const std::string &text) {
+          const auto numbers =
+            Utilities::string_to_double(Utilities::split_string_list(text));
+          std::copy(numbers.begin(), numbers.end(), stress.begin());
+        });
+      section.leave_my_subsection(section.prm);
+    }
+
+
+
     void
     add_path(ElementTestParameters &section)
     {
@@ -23,14 +55,7 @@ namespace Sandglass
         "without lateral strain (oedometer), with both lateral stresses held "
         "(triaxial), with one held and no strain out of the plane (biaxial); or "
         "shear with the axial stress held and no lateral strain (simple shear).");
-      add_three_numbers(section,
-                        "Initial stress",
-                        section.initial_stress,
-                        Bounds::at_least(0.),
-                        "Pa",
-                        "Axial stress, lateral stress, and stress out of the "
-                        "plane (the other lateral one) at the start, "
-                        "compression positive.");
+      add_initial_stress(section);
       add_number(
         section,
         "Axial strain",

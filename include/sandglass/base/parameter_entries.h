@@ -4,7 +4,6 @@
 #include <deal.II/base/parameter_acceptor.h>
 #include <deal.II/base/patterns.h>
 
-#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -171,15 +170,6 @@ namespace Sandglass
                     const std::string         &name,
                     NamedNumbers              &variable,
                     const NamedNumbersPattern &pattern,
-                    const std::string         &unit,
-                    const std::string         &documentation);
-
-  /// Declare three real numbers with commas between them.
-  void
-  add_three_numbers(dealii::ParameterAcceptor &section,
-                    const std::string         &name,
-                    std::array<double, 3>     &variable,
-                    const BoundedNumber       &bounds,
                     const std::string         &unit,
                     const std::string         &documentation);
 
