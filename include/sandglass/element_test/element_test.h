@@ -124,14 +124,15 @@ namespace Sandglass
     ElementTestRow
     row_of(const Point &point) const
     {
+      // 0. - x, since -x would make -0 of no stress.
       ElementTestRow row;
       row.axial_strain =
         settings.is_shear() ? 1. - point.stretch[1] : point.driven_strain;
       row.volumetric_strain   = point.volumetric_strain();
       row.shear_strain        = point.shear;
-      row.axial_stress        = -point.stress[Component::yy];
-      row.lateral_stress      = -point.stress[Component::xx];
-      row.out_of_plane_stress = -point.stress[Component::zz];
+      row.axial_stress        = 0. - point.stress[Component::yy];
+      row.lateral_stress      = 0. - point.stress[Component::xx];
+      row.out_of_plane_stress = 0. - point.stress[Component::zz];
       row.shear_stress        = point.stress[Component::xy];
       row.void_ratio          = state_variable<Law>(point.state, "void ratio");
       return row;
