@@ -79,8 +79,7 @@ namespace Sandglass
       point.state  = law.initial_state();
       for (int n = 0; n < most_returns; ++n)
         {
-          const Point next = deformed(
-            point, UniformGradient(), law, integration, settings.time_step());
+          const Point  next   = without_strain(point);
           const double change = (next.stress - stress).cwiseAbs().maxCoeff();
           if (change <= tolerance * std::max(1., stress.cwiseAbs().maxCoeff()))
             return point;
@@ -92,6 +91,21 @@ namespace Sandglass
         "the law '" + constants.model +
         "' doesn't admit this stress; allowed is one within "
         "its strength");
+    }
+
+    /// What the law makes of a point that doesn't move.
+    Point
+    without_strain(const Point &point) const
+    {
+      try
+        {
+          return deformed(
+            point, UniformGradient(), law, integration, settings.time_step());
+        }
+      catch (const std::exception &error)
+        {
+          refuse_initial_stress(error.what());
+        }
     }
 
     /// Without cohesion nothing can be loaded beside a free surface.
