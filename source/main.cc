@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/element_test/run_element_test.h>
 #include <sandglass/output/banner.h>
 #include <sandglass/run/parameter_file.h>
 #include <sandglass/run/print_outputs.h>
@@ -16,7 +17,7 @@ namespace
   constexpr int run_failed = 1, input_refused = 2;
 
   /// Read and check the parameters and the mesh, then run, once or for a
-  /// study, unless only this was asked for.
+  /// study, unless only this was asked for. An element test needs no mesh.
   void
   validate_and_run(const CommandLine &command_line, const MPI_Comm communicator)
   {
@@ -35,14 +36,16 @@ namespace
     try
       {
         parameters.check();
-        if (study != nullptr)
+        Log log(communicator,
+                command_line.is_quiet ? Log::Screen::nothing :
+                                        Log::Screen::everything);
+        if (command_line.task == CommandLine::Task::element_test)
+          run_element_test(parameters, file.warnings(), communicator, log);
+        else if (study != nullptr)
           study->perform(parameters, command_line, file, communicator);
         else
           {
             parameters.scene.fix_resolution();
-            Log log(communicator,
-                    command_line.is_quiet ? Log::Screen::nothing :
-                                            Log::Screen::everything);
             run(parameters, command_line, file.warnings(), communicator, log);
           }
       }

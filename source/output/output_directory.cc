@@ -49,13 +49,14 @@ namespace Sandglass
   prepare_output_directory(const OutputParameters &parameters,
                            const bool              is_restart,
                            const MPI_Comm          communicator,
-                           Log                    &log)
+                           Log                    &log,
+                           const std::string      &folder)
   {
     const std::string &directory = parameters.directory;
     const std::string  message   = shared_error(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
-      std::filesystem::create_directories(directory + "/vtu");
+      std::filesystem::create_directories(directory + "/" + folder);
       log.open_file(directory + "/sandglass.log", is_restart);
       ParameterAcceptor::prm.print_parameters(directory + "/parameters.prm",
                                               ParameterHandler::PRM);

@@ -31,6 +31,8 @@ namespace Sandglass
           "run the scene several times: convergence, on a sequence of meshes, "
           "for its flow rate and how sure that is; smallest-outlet, with "
           "several outlets, for the one from which on the material flows");
+      add("element-test",
+          "put the law alone through the test of the section Element test");
       add("print-parameters",
           options::value<std::string>()->implicit_value("prm")->value_name(
             "prm|md|json"),
@@ -47,14 +49,19 @@ namespace Sandglass
     CommandLine::Task
     task_of(const options::variables_map &values)
     {
-      if (values.count("study") == 0)
-        return values.count("validate") > 0 ? CommandLine::Task::validate :
-                                              CommandLine::Task::run;
-      for (const std::string option : {"validate", "restart"})
-        if (values.count(option) > 0)
-          throw InputError("Command line: --study and --" + option +
+      const auto is_given = [&values](const std::string &option) {
+        return values.count(option) > 0;
+      };
+      if (!is_given("study") && !is_given("element-test"))
+        return is_given("validate") ? CommandLine::Task::validate :
+                                      CommandLine::Task::run;
+      const std::string task = is_given("study") ? "study" : "element-test";
+      for (const std::string option : {"element-test", "validate", "restart"})
+        if (option != task && is_given(option))
+          throw InputError("Command line: --" + task + " and --" + option +
                            " don't go together; allowed is one of the two");
-      return CommandLine::Task::study;
+      return is_given("study") ? CommandLine::Task::study :
+                                 CommandLine::Task::element_test;
     }
 
     CommandLine
@@ -107,6 +114,7 @@ namespace Sandglass
             "[-o DIRECTORY] [--restart] [--quiet]\n"
             "       sandglass --validate FILE.prm\n"
             "       sandglass --study convergence|smallest-outlet FILE.prm\n"
+            "       sandglass --element-test FILE.prm\n"
             "       sandglass --print-parameters [prm|md|json]\n"
             "       sandglass --print-outputs\n"
             "       mpirun -n N sandglass FILE.prm\n\n"

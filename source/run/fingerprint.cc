@@ -19,7 +19,8 @@ namespace Sandglass
     /**
      * The parameters that may change on a restart, since what has been computed
      * stays right: what is written, how far and with which steps the run goes
-     * on, and who computes it. A parameter that is not listed may not.
+     * on, who computes it, and what isn't a run's at all. A parameter that is
+     * not listed may not.
      *
      * Stagnant displacement is not: it says what a column of history.csv means,
      * and whether there is one.
@@ -33,6 +34,12 @@ namespace Sandglass
       {"Particle stage", "Time step interval"},
       {"Particle stage", "On lost particle"},
       {"Particle stage", "Largest speed"},
+      {"Element test", "Kind"},
+      {"Element test", "Initial stress"},
+      {"Element test", "Axial strain"},
+      {"Element test", "Largest axial stress"},
+      {"Element test", "Steps"},
+      {"Element test", "Strain rate"},
       {"Output", "Directory"},
       {"Output", "Interval"},
       {"Output", "History interval"},

@@ -1,4 +1,5 @@
 #include <sandglass/choices.h>
+#include <sandglass/element_test/element_test_results.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/grid_fields.h>
 #include <sandglass/output/history.h>
@@ -151,6 +152,14 @@ namespace Sandglass
            columns("Column", smallest_outlet_table) +
            file("summary.json of --study smallest-outlet",
                 "The study so far, after each run; the runs have their own.") +
-           columns("Key", smallest_outlet_summary_table);
+           columns("Key", smallest_outlet_summary_table) +
+           file("element_test.csv of --element-test",
+                "The start, and a row for each step. Strains are shares of the "
+                "initial lengths and volume, not logarithms; in compression "
+                "strains and stresses are positive.") +
+           columns("Column", element_test_table) +
+           file("summary.json of --element-test",
+                "The test, also where it could not go on.") +
+           columns("Key", element_test_summary_table);
   }
 } // namespace Sandglass

@@ -27,7 +27,9 @@ namespace Sandglass
 
     static constexpr bool dissipation_can_fall = Law::dissipation_can_fall;
     static constexpr bool can_fail             = Law::can_fail;
-    static constexpr bool pressure_follows_density = Law::pressure_follows_density;
+    static constexpr bool pressure_follows_density =
+      Law::pressure_follows_density;
+    static constexpr bool takes_averaged_strain = Law::takes_averaged_strain;
 
     static constexpr bool has_constant_stiffness = Law::has_constant_stiffness;
 

@@ -30,9 +30,12 @@ namespace Sandglass
     static constexpr std::array<LawConstant, 0>   law_constants   = {};
 
     static constexpr bool has_cohesion = true;
+
+    // CONTRIBUTING.md says what these mean.
     static constexpr bool dissipation_can_fall = false;
     static constexpr bool can_fail = false;
     static constexpr bool pressure_follows_density = true;
+    static constexpr bool takes_averaged_strain = true;
 
     /// Whether stiffness_bound() is the same for all states.
     static constexpr bool has_constant_stiffness = true;

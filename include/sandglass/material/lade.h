@@ -87,6 +87,7 @@ namespace Sandglass
     static constexpr bool dissipation_can_fall = false;
     static constexpr bool can_fail = false;
     static constexpr bool pressure_follows_density = false;
+    static constexpr bool takes_averaged_strain = false;
 
     static bool
     is_meant(const MaterialConstants &constants)

@@ -41,6 +41,7 @@ namespace Sandglass
     static constexpr bool dissipation_can_fall = false;
     static constexpr bool can_fail = false;
     static constexpr bool pressure_follows_density = true;
+    static constexpr bool takes_averaged_strain = true;
     static constexpr bool has_constant_stiffness = true;
 
     static bool

@@ -1,6 +1,7 @@
 #ifndef sandglass_material_von_wolffersdorff_h
 #define sandglass_material_von_wolffersdorff_h
 
+#include <sandglass/base/exceptions.h>
 #include <sandglass/base/lanes_functions.h>
 #include <sandglass/material/hypoplastic.h>
 
@@ -59,7 +60,13 @@ namespace Sandglass
                           (3. + a * a -
                            std::sqrt(3.) * a *
                              std::pow((e_i0 - e_d0) / (e_c0 - e_d0), alpha))))
-    {}
+    {
+      if (!(e_d0 < e_c0 && e_c0 < e_i0))
+        throw InputError("Material",
+                         "Law constants",
+                         "e_d0, e_c0, e_i0",
+                         "allowed are void ratios that grow in this order");
+    }
 
     /// Density, as a share of that of unstressed material, below which grains
     /// don't touch: that of the loosest void ratio.

@@ -14,12 +14,14 @@ namespace Sandglass
    * InputError on each rank if the directory can't be written.
    *
    * @param is_restart  whether the log goes on behind that of an earlier run.
+   * @param folder      to make in it for the fields' files; empty: none.
    */
   void
   prepare_output_directory(const OutputParameters &parameters,
                            const bool              is_restart,
                            const MPI_Comm          communicator,
-                           Log                    &log);
+                           Log                    &log,
+                           const std::string      &folder = "vtu");
 
   /**
    * Do work in which ranks don't wait for each other, and tell all of them if

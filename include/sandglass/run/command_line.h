@@ -14,6 +14,7 @@ namespace Sandglass
       run,
       validate,
       study,
+      element_test,
       print_parameters,
       print_outputs,
       print_help,

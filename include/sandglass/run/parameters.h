@@ -2,6 +2,7 @@
 #define sandglass_run_parameters_h
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/element_test/element_test_parameters.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/material/material_parameters.h>
@@ -19,6 +20,7 @@ namespace Sandglass
     WallParameters          walls;
     StaticStageParameters   static_stage;
     ParticleStageParameters particle_stage;
+    ElementTestParameters   element_test;
     OutputParameters        output;
 
     /// Checks between parameters; throws InputError.
@@ -35,6 +37,7 @@ namespace Sandglass
                          "Box depth",
                          std::to_string(walls.box_depth),
                          "allowed is 0 unless the formulation is plane strain");
+      element_test.check();
     }
   };
 } // namespace Sandglass

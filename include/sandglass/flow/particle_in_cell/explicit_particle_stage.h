@@ -58,7 +58,8 @@ namespace Sandglass
                            geometry,
                            law->smallest_stressed_density(),
                            parameters.volumetric_strain ==
-                             VolumetricStrain::averaged)
+                               VolumetricStrain::averaged &&
+                             law->takes_averaged_strain)
       , relocation(scene, geometry, walls, parameters, removed)
       , splitting(geometry,
                   initial_configuration,

@@ -29,9 +29,11 @@ namespace Sandglass
     using Blocks = ParticleBlocks<Layout>;
 
     LawInterface(const bool has_constant_stiffness,
-                 const bool dissipation_can_fall)
+                 const bool dissipation_can_fall,
+                 const bool takes_averaged_strain)
       : has_constant_stiffness(has_constant_stiffness)
       , dissipation_can_fall(dissipation_can_fall)
+      , takes_averaged_strain(takes_averaged_strain)
     {}
 
     virtual ~LawInterface() = default;
@@ -82,6 +84,10 @@ namespace Sandglass
 
     /// Whether the law can't tell elastic energy from what is dissipated.
     const bool dissipation_can_fall;
+
+    /// Whether particles may take the volumetric strain of their cells'
+    /// neighbourhood.
+    const bool takes_averaged_strain;
   };
 
   /**

@@ -1,0 +1,118 @@
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/base/exceptions.h>
+#include <sandglass/choices.h>
+#include <sandglass/element_test/element_test.h>
+#include <sandglass/element_test/element_test_results.h>
+#include <sandglass/element_test/run_element_test.h>
+#include <sandglass/output/banner.h>
+#include <sandglass/output/csv_file.h>
+#include <sandglass/output/json_object.h>
+#include <sandglass/output/output_directory.h>
+#include <sandglass/output/replace_file.h>
+
+namespace Sandglass
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// As the parameter file has it.
+    std::string
+    kind_in_words()
+    {
+      auto &prm = ParameterAcceptor::prm;
+      prm.enter_subsection("Element test");
+      const std::string kind = prm.get("Kind");
+      prm.leave_subsection();
+      return kind;
+    }
+
+
+
+    void
+    write_summary(const ElementTestResults &results,
+                  const std::string        &directory)
+    {
+      JsonObject json;
+      json.add(element_test_summary_table, results);
+      replace_file(directory + "/summary.json", json.text());
+    }
+
+
+
+    /// The rows, and what they come to. On one rank. Throws RunError.
+    template <typename Law>
+    void
+    run_and_write(const ElementTest<Law> &test,
+                  const std::string      &directory,
+                  ElementTestResults     &results)
+    {
+      CsvTable<ElementTestRow> table(directory + "/element_test.csv",
+                                     element_test_table,
+                                     ElementTestRow());
+      table.open();
+      try
+        {
+          test.run([&](const ElementTestRow &row) {
+            table.add_row(row);
+            results.add(row);
+          });
+          results.status = "finished";
+        }
+      catch (const RunError &error)
+        {
+          results.status  = "failed";
+          results.message = error.what();
+        }
+      table.flush();
+      write_summary(results, directory);
+      if (results.status == "failed")
+        throw RunError(results.message);
+    }
+  } // namespace
+
+
+
+  void
+  run_element_test(const Parameters               &parameters,
+                   const std::vector<std::string> &warnings,
+                   const MPI_Comm                  communicator,
+                   Log                            &log)
+  {
+    const std::string &directory = parameters.output.directory;
+    ElementTestResults results;
+    results.law      = parameters.material.model;
+    results.kind     = kind_in_words();
+    results.is_shear = parameters.element_test.is_shear();
+    choose_law(parameters.material, [&](const auto tag) {
+      using Law                          = typename decltype(tag)::Type;
+      const MaterialConstants &constants = parameters.material;
+      const Law                law(constants);
+      const ElementTest<Law>   test(law,
+                                  constants,
+                                  parameters.element_test,
+                                  parameters.particle_stage.stress_integration);
+      log.stream() << banner(communicator) << std::flush;
+      for (const std::string &warning : warnings)
+        log.stream() << "Warning: " << warning << std::endl;
+      log.stream() << "Element test: " << results.kind << ", law "
+                   << results.law << std::endl;
+      prepare_output_directory(parameters.output, false, communicator, log, "");
+      try
+        {
+          do_and_share_errors(communicator, [&]() {
+            if (Utilities::MPI::this_mpi_process(communicator) == 0)
+              run_and_write(test, directory, results);
+          });
+        }
+      catch (const RunError &error)
+        {
+          log.record_error(error.what());
+          throw;
+        }
+    });
+    log.stream() << to_text(results) << "Results are in " << directory
+                 << std::endl;
+  }
+} // namespace Sandglass
