@@ -32,12 +32,13 @@ class Hopper(NamedTuple):
     friction: float
     half_angle: float  # to the vertical
     wall_friction: float
+    density_update: str = "paper"
 
     OUTLET = 0.1  # half width or radius, m
     TOP = 1.  # the same of the hopper's upper end
     HEADROOM = 0.1
-    TIMES = (0.3, 0.8)  # of the mean, s
-    RADII = (3., 5.)  # of the mean, over the outlet's
+    TIMES = (0.5, 1.)  # of the mean, s
+    RADII = (3.5, 5.)  # of the mean, over the outlet's
 
     @property
     def is_cone(self):
@@ -60,7 +61,8 @@ class Hopper(NamedTuple):
     @property
     def name(self):
         words = [self.formulation, self.cone, short(self.friction),
-                 short(self.half_angle), short(self.wall_friction)]
+                 short(self.half_angle), short(self.wall_friction),
+                 self.density_update]
         return "hopper-" + "-".join(words).replace(" ", "-")
 
     def run(self):
@@ -71,7 +73,6 @@ class Hopper(NamedTuple):
                          for function in (math.sin, math.tan))
         height = (self.TOP - self.OUTLET) / tangent
         head = 1.1 * self.field.axis * self.TOP / sine
-        size = 0.05 if self.is_cone else 0.06
         return run_of(self.name, (
             ("Scene/Formulation", self.formulation),
             ("Scene/Half width", self.TOP),
@@ -79,21 +80,27 @@ class Hopper(NamedTuple):
             ("Scene/Outlet half width", self.OUTLET),
             ("Scene/Hopper height", short(height)),
             ("Scene/Fall region depth", 0.3),
-            ("Scene/Element size", size),
-            ("Scene/Outlet element size", size / 2),
+            ("Scene/Cell type", "quadrilateral"),
+            ("Scene/Element size", 0.05),
+            ("Scene/Outlet element size", 0),
+            ("Scene/Particles per cell", 9),
             ("Scene/Headroom", self.HEADROOM),
-            ("Material/Young modulus", short(1e3 * WEIGHT * (height + head))),
+            ("Material/Young modulus", short(500 * WEIGHT * (height + head))),
             ("Material/Internal friction angle", short(self.friction)),
             ("Material/Yield cone", self.cone),
             ("Walls/Friction angles",
              f"wall: 0, hopper: {short(self.wall_friction)}"),
+            ("Walls/Tangential penalty", 1e9),
+            ("Particle stage/Density update", self.density_update),
             ("Particle stage/End time", self.TIMES[1]),
             ("Output/Interval", 0.1)))
 
 
 PAPER_WEDGES = [Hopper("plane strain", "paper", friction, half_angle, wall)
-                for friction in (25., 30.) for half_angle in (10., 20.)
-                for wall in (5., 10., 15., 20.)]
+                for friction, half_angle, walls in (
+                    (25., 10., (5., 10., 15., 20.)), (25., 20., (5., 10., 20.)),
+                    (30., 10., (5., 10., 20.)), (30., 20., (5., 10., 20.)))
+                for wall in walls]
 # The angles that act in plane flow when the paper's cone gets 25 and 30 degrees
 PLANE_WEDGES = [wedge._replace(cone="plane strain",
                                friction=wedge.effective_friction)
@@ -101,6 +108,9 @@ PLANE_WEDGES = [wedge._replace(cone="plane strain",
 CONICAL = [Hopper("axisymmetric", "Matsuoka-Nakai", *angles)
            for angles in ((40., 15., 20.), (50., 20., 20.), (40., 15., 10.))]
 HOPPERS = PAPER_WEDGES + PLANE_WEDGES + CONICAL
+# With the default density update
+SEPARATING = [hopper._replace(density_update="separation")
+              for hopper in (*PAPER_WEDGES[:4], PAPER_WEDGES[7], CONICAL[0])]
 
 SILOS = {"plane-flat-bottom": "plane, flat bottom",
          "plane-hopper": "plane, hopper",
@@ -130,8 +140,17 @@ def silo_cases():
             for friction in SILO_FRICTIONS for cone in CONES]
 
 
-UNIT_SCENE = (("Scene/Gravity", "0, -1"), ("Scene/Headroom", 0.1),
-              ("Material/Density", 1))
+
+
+def unit_scene(young_modulus):
+    """The walls' penalty is ten times as stiff as a metre of the material, as
+    by default."""
+    return (("Scene/Gravity", "0, -1"), ("Scene/Headroom", 0.1),
+            ("Material/Density", 1),
+            ("Material/Young modulus", young_modulus),
+            ("Walls/Tangential penalty", 10 * young_modulus))
+
+
 NO_SLIP = (("Walls/Friction angle", 89),)
 RISE = 0.28  # mu_2 - mu_s
 
@@ -154,14 +173,13 @@ REFINED = 0.313
 
 def box_settings(half_width, outlet, element):
     """A box filled to FILL without slip; `element`: at the outlet."""
-    return (*UNIT_SCENE, *NO_SLIP,
+    return (*unit_scene(1e3 * FILL), *NO_SLIP,
             ("Scene/Half width", half_width),
             ("Scene/Wall height", FILL),
             ("Scene/Outlet half width", outlet),
             ("Scene/Fall region depth", 3 * outlet),
             ("Scene/Element size", 0.15),
-            ("Scene/Outlet element size", short(element)),
-            ("Material/Young modulus", 1e3 * FILL))
+            ("Scene/Outlet element size", short(element)))
 
 
 def hourglass_run(outlet, refinement=1):
@@ -189,6 +207,7 @@ def cohesive_run(slow, cohesion):
     return run_of(f"cohesive-{slow}-{cohesion}", (
         *box_settings(5., 0.5, 1 / 16),
         *mu_i(slow, 1 / 30),
+        ("Walls/Outlet lip", "floor"),  # without slip up to its edge
         ("Material/Cohesion", cohesion),
         ("Particle stage/End time", end), ("Output/Interval", end)))
 
@@ -212,14 +231,13 @@ class Plug(NamedTuple):
 
     def run(self, share):
         return run_of(f"plug-{self.formulation.replace(' ', '-')}-{share}", (
-            *UNIT_SCENE, *NO_SLIP,
+            *unit_scene(2e3), *NO_SLIP,
             ("Scene/Formulation", self.formulation),
             ("Scene/Cell type", "quadrilateral"),
             ("Scene/Half width", 3), ("Scene/Wall height", 1),
             ("Scene/Outlet half width", 1),
             ("Scene/Fall region depth", 1.5),
-            ("Scene/Element size", 0.1), ("Scene/Outlet element size", 0),
-            ("Material/Young modulus", 2000),
+            ("Scene/Element size", 0.04), ("Scene/Outlet element size", 0),
             ("Material/Internal friction angle", 0),
             ("Material/Yield cone", "plane strain"),
             ("Material/Cohesion", short(share * self.limit)),
@@ -231,7 +249,7 @@ PLUGS = (Plug("plane strain", 1.), Plug("axisymmetric", 0.5))
 
 
 def all_runs():
-    return ([hopper.run() for hopper in HOPPERS] +
+    return ([hopper.run() for hopper in HOPPERS + SEPARATING] +
             [silo_run(*case) for case in silo_cases()] +
             [hourglass_run(outlet) for outlet in HOURGLASS] +
             [hourglass_run(REFINED, 2)] +

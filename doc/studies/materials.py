@@ -8,7 +8,7 @@ import run_output
 from material_cases import (ARRESTED, COHESIVE, COHESIVE_TIMES, CONES, CONICAL,
                             HOPPERS, HOURGLASS, HOURGLASS_TIMES, NAME,
                             PAPER_WEDGES, PLANE_WEDGES, PLUGS, REFINED, SILOS,
-                            SILO_FRICTIONS, WEIGHT, all_runs, cohesive_cases,
+                            SEPARATING, SILO_FRICTIONS, WEIGHT, all_runs, cohesive_cases,
                             cohesive_run, hourglass_run, silo_cases, silo_run,
                             silo_times)
 from outlet_sweep import mean_rate
@@ -96,7 +96,7 @@ def plug_row(plug, share):
 
 
 def results():
-    rows = [hopper_row(hopper) for hopper in HOPPERS
+    rows = [hopper_row(hopper) for hopper in HOPPERS + SEPARATING
             if has_result(hopper.run())]
     for case in silo_cases():
         if has_result(silo_run(*case)):
@@ -151,6 +151,10 @@ def wedges(rows):
 
 def conical(rows):
     return hopper_table(rows, CONICAL)
+
+
+def separation(rows):
+    return hopper_table(rows, SEPARATING)
 
 
 def acting_angles(_):
@@ -277,7 +281,7 @@ def summary(rows):
 
 def parts(rows):
     return {part.__name__.replace("_", "-"): part(rows)
-            for part in (wedges, conical, acting_angles, cones, hourglass,
+            for part in (wedges, conical, separation, acting_angles, cones, hourglass,
                          cohesive, arrest, plug, summary)}
 
 
