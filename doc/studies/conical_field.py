@@ -26,11 +26,6 @@ def matsuoka_nakai(sine):
     return ratio
 
 
-def circular(slope):
-    """The same for q = slope * p."""
-    return lambda shear: slope / math.sqrt(9 + 3 * shear * shear)
-
-
 def shear_of(ratio, mobilised):
     """t where the shear stress over the stress across the radius is
     `mobilised`."""
@@ -73,8 +68,7 @@ def wall_stress(ratio, half_angle, wall_friction_angle):
     """Over gamma r; angles in degrees."""
     tangent = math.tan(math.radians(wall_friction_angle))
     half_angle = math.radians(half_angle)
-    # The friction that is mobilised falls with the logarithm of the stress on
-    # the axis... from the sign of the shear stress' source on.
+    # The less friction is mobilised, the larger the stress on the axis.
     lower, upper = 1e-4, 20.
     for _ in range(60):
         middle = math.sqrt(lower * upper)

@@ -37,12 +37,17 @@ class Hopper(NamedTuple):
     OUTLET = 0.1  # half width or radius, m
     TOP = 1.  # the same of the hopper's upper end
     HEADROOM = 0.1
-    TIMES = (0.5, 1.)  # of the mean, s
     RADII = (3.5, 5.)  # of the mean, over the outlet's
 
     @property
     def is_cone(self):
         return self.formulation == "axisymmetric"
+
+    @property
+    def times(self):
+        """Of the mean, s; wider hoppers are sooner in steady flow, and without
+        their head."""
+        return (0.5, 1.) if self.half_angle <= 10. else (0.4, 0.7)
 
     @property
     def effective_friction(self):
@@ -92,7 +97,7 @@ class Hopper(NamedTuple):
              f"wall: 0, hopper: {short(self.wall_friction)}"),
             ("Walls/Tangential penalty", 1e9),
             ("Particle stage/Density update", self.density_update),
-            ("Particle stage/End time", self.TIMES[1]),
+            ("Particle stage/End time", self.times[1]),
             ("Output/Interval", 0.1)))
 
 

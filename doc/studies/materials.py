@@ -5,6 +5,7 @@ import math
 import numpy
 
 import run_output
+from conical_field import matsuoka_nakai, wall_stress
 from material_cases import (ARRESTED, COHESIVE, COHESIVE_TIMES, CONES, CONICAL,
                             HOPPERS, HOURGLASS, HOURGLASS_TIMES, NAME,
                             PAPER_WEDGES, PLANE_WEDGES, PLUGS, REFINED, SILOS,
@@ -42,7 +43,7 @@ def hopper_profile(hopper):
     gamma r."""
     sine = math.sin(math.radians(hopper.half_angle))
     tractions = {}
-    for row in wall_rows(hopper.run().directory, "hopper", hopper.TIMES[0]):
+    for row in wall_rows(hopper.run().directory, "hopper", hopper.times[0]):
         tractions.setdefault(round(row["x_m"], 6), []).append(row["normal_Pa"])
     xs = numpy.array(sorted(tractions))
     means = numpy.array([numpy.mean(tractions[x]) for x in xs])
@@ -150,7 +151,18 @@ def wedges(rows):
 
 
 def conical(rows):
-    return hopper_table(rows, CONICAL)
+    lines = []
+    for hopper in CONICAL:
+        row = find(rows, hopper.name, "wall stress")
+        if row:
+            own = wall_stress(
+                matsuoka_nakai(math.sin(math.radians(hopper.friction))),
+                hopper.half_angle, hopper.wall_friction)
+            lines.append([f"{hopper.friction:g}°", f"{hopper.half_angle:g}°",
+                          f"{hopper.wall_friction:g}°", f"{row['value']:.4f}",
+                          f"{row['reference']:.4f}", f"{own:.4f}", error(row)])
+    return markdown(["δ", "α", "φ_w", "σ_w/(γ r)", "Jenike", "its own field",
+                     "difference to Jenike, %"], lines)
 
 
 def separation(rows):
@@ -270,7 +282,8 @@ def plug(rows):
 
 
 def summary(rows):
-    chosen = [find(rows, hopper.name, "wall stress") for hopper in HOPPERS]
+    chosen = [find(rows, hopper.name, "wall stress")
+              for hopper in PAPER_WEDGES + PLANE_WEDGES]
     errors = [abs(row["value"] / row["reference"] - 1) for row in chosen
               if row]
     if not errors:
