@@ -18,6 +18,7 @@ from runs import make_all
 from tables import markdown
 from traction_tables import mean_along, rows_at
 
+NEAR = 0.101  # cohesions that are near enough for a straight line
 PLUG_PATH = (0.01, 0.15)  # displacements between which it falls evenly
 
 
@@ -244,7 +245,7 @@ def arrest(rows):
                   if rate > ARRESTED][-2:]
         found = [find(rows, f"cohesive, {slow}, {cohesion}")
                  for cohesion in chosen]
-        if None in found:
+        if None in found or chosen[1] - chosen[0] > NEAR:
             continue
 
         def limit(first, second, chosen=chosen, slow=slow):
