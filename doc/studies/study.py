@@ -12,6 +12,7 @@ from pages import fill_all
 import any_silo
 import closed_silos
 import mass_matrix
+import materials
 import mesh_seeds
 import outlet_sweep
 import performance
@@ -20,7 +21,7 @@ import work_precision
 
 STUDIES = {study.NAME: study
            for study in (any_silo, closed_silos, outlet_sweep, mesh_seeds,
-                         mass_matrix, performance, verification,
+                         mass_matrix, materials, performance, verification,
                          work_precision)}
 
 
