@@ -8,14 +8,12 @@
 #include <gtest/gtest.h>
 
 /// The kinematics and cell types of the section, for typed tests.
-using AllSettings =
-  testing::Types<Sandglass::Setting<Sandglass::PlaneStrain,
-                                    Sandglass::CellType::triangle>,
-                 Sandglass::Setting<Sandglass::PlaneStrain,
-                                    Sandglass::CellType::quadrilateral>,
-                 Sandglass::Setting<Sandglass::Axisymmetric,
-                                    Sandglass::CellType::triangle>,
-                 Sandglass::Setting<Sandglass::Axisymmetric,
-                                    Sandglass::CellType::quadrilateral>>;
+using AllSettings = testing::Types<
+  Sandglass::Setting<Sandglass::PlaneStrain, Sandglass::CellType::triangle>,
+  Sandglass::Setting<Sandglass::PlaneStrain,
+                     Sandglass::CellType::quadrilateral>,
+  Sandglass::Setting<Sandglass::Axisymmetric, Sandglass::CellType::triangle>,
+  Sandglass::Setting<Sandglass::Axisymmetric,
+                     Sandglass::CellType::quadrilateral>>;
 
 #endif

@@ -37,10 +37,12 @@ public:
   static double
   limit()
   {
-    constexpr double pi = dealii::numbers::PI;
-    const double     sine =
-      Sandglass::CircularCone(Sandglass::YieldCone::paper, friction_angle * pi / 180., 0.).slope /
-      std::sqrt(3.);
+    constexpr double pi   = dealii::numbers::PI;
+    const double     sine = Sandglass::CircularCone(Sandglass::YieldCone::paper,
+                                                friction_angle * pi / 180.,
+                                                0.)
+                          .slope /
+                        std::sqrt(3.);
     const double tangent = sine / std::sqrt(1. - sine * sine);
     return std::exp(pi * tangent) * (1. + sine) / (1. - sine);
   }

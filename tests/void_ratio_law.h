@@ -18,12 +18,12 @@ public:
 
   static constexpr std::array<Sandglass::LawConstant, 0> law_constants = {};
 
-  static constexpr bool has_cohesion           = false;
-  static constexpr bool dissipation_can_fall = false;
-  static constexpr bool can_fail = false;
+  static constexpr bool has_cohesion             = false;
+  static constexpr bool dissipation_can_fall     = false;
+  static constexpr bool can_fail                 = false;
   static constexpr bool pressure_follows_density = true;
-  static constexpr bool takes_averaged_strain = true;
-  static constexpr bool has_constant_stiffness = false;
+  static constexpr bool takes_averaged_strain    = true;
+  static constexpr bool has_constant_stiffness   = false;
 
   static constexpr double initial_void_ratio = 0.8;
   /// Pressure that doubles the stiffness, in Pa.

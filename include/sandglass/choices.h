@@ -49,8 +49,8 @@ namespace Sandglass
       });
   }
 
-  /// The objective rate by which a law's stress turns; Jaumann's, unless the law
-  /// says another one.
+  /// The objective rate by which a law's stress turns; Jaumann's, unless the
+  /// law says another one.
   template <typename Law>
   constexpr StressRate stress_rate_of = StressRate::jaumann;
 

@@ -84,8 +84,8 @@ namespace Sandglass
                              to_text(one),
                              "allowed is a number from " +
                                number_to_text(found->smallest) + " to " +
-                               number_to_text(found->largest) + " (" + found->unit +
-                               ")");
+                               number_to_text(found->largest) + " (" +
+                               found->unit + ")");
         }
     }
 

@@ -34,18 +34,17 @@ namespace Sandglass
 
         const double a11 = S * s2, a12 = 2. * s * S * c2;
         const double a21 = 1. - S * c2, a22 = 2. * s * S * s2;
-        const double b1  = -(s * (1. + S * c2) +
-                            s * (2. * S * c2 + n * (1. + S * c2 - kappa) +
-                                 n * S * s2 * cot) +
-                            std::cos(angle));
+        const double b1 =
+          -(s * (1. + S * c2) +
+            s * (2. * S * c2 + n * (1. + S * c2 - kappa) + n * S * s2 * cot) +
+            std::cos(angle));
         const double b2 =
           -(s * S * s2 +
-            s * (2. * S * s2 +
-                 n * ((1. - S * c2 - kappa) * cot + S * s2)) -
+            s * (2. * S * s2 + n * ((1. - S * c2 - kappa) * cot + S * s2)) -
             std::sin(angle));
         const double determinant = a11 * a22 - a12 * a21;
-        rate = {{(b1 * a22 - b2 * a12) / determinant,
-                 (a11 * b2 - a21 * b1) / determinant}};
+        rate                     = {{(b1 * a22 - b2 * a12) / determinant,
+                                     (a11 * b2 - a21 * b1) / determinant}};
       }
 
       /// d psi / d theta on the axis.
@@ -62,7 +61,7 @@ namespace Sandglass
       {
         constexpr double       first   = 1e-5; // the axis itself is singular
         constexpr unsigned int n_steps = 500;
-        namespace odeint       = boost::numeric::odeint;
+        namespace odeint               = boost::numeric::odeint;
         State state{{s, 0.5 * pi + turning(s) * first}};
         odeint::integrate_n_steps(odeint::runge_kutta4<State>(),
                                   *this,
@@ -95,7 +94,7 @@ namespace Sandglass
     };
 
     // From large stresses on the axis to small ones, psi at the wall rises.
-    constexpr double step = 0.02;
+    constexpr double step  = 0.02;
     double           log_s = std::log(20.);
     if (excess(log_s) > 0.)
       return {none, none};
@@ -106,13 +105,12 @@ namespace Sandglass
           return {none, none};
       }
     std::uintmax_t n_iterations = 100;
-    const auto     bracket =
-      boost::math::tools::toms748_solve(excess,
-                                        log_s - step,
-                                        log_s,
-                                        boost::math::tools::eps_tolerance<double>(
-                                          40),
-                                        n_iterations);
+    const auto     bracket      = boost::math::tools::toms748_solve(
+      excess,
+      log_s - step,
+      log_s,
+      boost::math::tools::eps_tolerance<double>(40),
+      n_iterations);
     const State state =
       equilibrium.at_wall(std::exp(bracket.second), hopper_angle);
     return {state[0], state[0] * (1. - sine * std::cos(2. * state[1]))};
@@ -151,7 +149,8 @@ namespace Sandglass
 
 
   double
-  Jenike::arching_width(const double strength, const double weight_density) const
+  Jenike::arching_width(const double strength,
+                        const double weight_density) const
   {
     return arch_factor() * strength / weight_density;
   }

@@ -125,7 +125,8 @@ namespace Sandglass
                              const std::vector<std::string> &warnings)
     {
       set_parameter("Scene", "Refinement", refinement);
-      const std::string own = directory + "/refinement-" + short_text(refinement);
+      const std::string own =
+        directory + "/refinement-" + short_text(refinement);
       log.stream() << "Refinement " << short_text(refinement) << ": cells "
                    << to_text(parameters.scene.resolution()) << "; in " << own
                    << std::endl;

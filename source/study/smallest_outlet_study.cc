@@ -186,9 +186,9 @@ namespace Sandglass
          std::isnan(result.summary.flow.discharge_time) ? 0. : 1.}};
       if (Utilities::MPI::n_mpi_processes(communicator) > 1)
         values = Utilities::MPI::broadcast(communicator, values);
-      const double width   = 2. * half_width;
-      const bool   is_ring = parameters.scene.formulation ==
-                           Formulation::axisymmetric;
+      const double width = 2. * half_width;
+      const bool   is_ring =
+        parameters.scene.formulation == Formulation::axisymmetric;
       const double free_rate =
         parameters.material.density *
         std::sqrt(parameters.scene.gravity_vector<2>().norm()) *
@@ -210,14 +210,13 @@ namespace Sandglass
       set_outlet(half_width);
       const std::string own =
         directory + "/outlet-half-width-" + short_text(half_width);
-      log.stream() << "Outlet half width " << short_text(half_width) << " m; in "
-                   << own << std::endl;
+      log.stream() << "Outlet half width " << short_text(half_width)
+                   << " m; in " << own << std::endl;
       const std::vector<std::string> warnings =
         results.trials.empty() ? file.warnings() : std::vector<std::string>();
-      const OutletTrial trial =
-        judge(run_variant(
-                parameters, command_line, own, warnings, communicator),
-              half_width);
+      const OutletTrial trial = judge(
+        run_variant(parameters, command_line, own, warnings, communicator),
+        half_width);
       results.trials.push_back(trial);
       log.stream() << "  " << (trial.flows ? "flows" : "stands") << ", "
                    << short_text(trial.flow_rate) << " kg/s" << std::endl;
@@ -249,8 +248,8 @@ namespace Sandglass
     {
       while (results.smallest_flowing() >
              close_enough * results.largest_arrested())
-        attempt(std::sqrt(results.smallest_flowing() *
-                          results.largest_arrested()));
+        attempt(
+          std::sqrt(results.smallest_flowing() * results.largest_arrested()));
     }
 
 
@@ -321,8 +320,8 @@ namespace Sandglass
                            short_text(smallest) + " m, and stands at " +
                            short_text(largest) + " m")
                    << "; Jenike's outlet has a width of "
-                   << short_text(results.arching_width)
-                   << " m. Results are in " << directory << std::endl;
+                   << short_text(results.arching_width) << " m. Results are in "
+                   << directory << std::endl;
     }
   } // namespace
 

@@ -299,7 +299,7 @@ namespace
   void
   add_benchmarks(const std::string &name)
   {
-    using Choice = Setting<Kinematics, cell_type>;
+    using Choice                   = Setting<Kinematics, cell_type>;
     constexpr unsigned int n_pairs = 15;
     benchmark::RegisterBenchmark(("beside_plain_loop/" + name).c_str(),
                                  beside_plain_loop<Choice>)

@@ -69,14 +69,13 @@ public:
   step(const double time_step)
   {
     sum_at_nodes();
-    solve_acceleration(
-      fields,
-      *scene.nodes,
-      mass_matrix,
-      contact,
-      scene.gravity,
-      time_step,
-      [](const Sandglass::NodalField<dim> &) {});
+    solve_acceleration(fields,
+                       *scene.nodes,
+                       mass_matrix,
+                       contact,
+                       scene.gravity,
+                       time_step,
+                       [](const Sandglass::NodalField<dim> &) {});
     accelerate_particles(time_step);
     solve_mapped_velocity(fields, mass_matrix, contact, time_step);
     deform_and_move_particles(time_step);

@@ -4,7 +4,6 @@
 #include <sandglass/material/matsuoka_nakai.h>
 
 #include <Eigen/LU>
-
 #include <gtest/gtest.h>
 
 #include <random>
@@ -37,9 +36,9 @@ namespace
   double
   mobilised_angle(const SymmetricComponents<4> &stress)
   {
-    const double mean   = 0.5 * (stress[0] + stress[1]);
-    const double radius = std::hypot(0.5 * (stress[0] - stress[1]), stress[3]);
-    const double largest  = std::max(mean + radius, stress[2]),
+    const double mean    = 0.5 * (stress[0] + stress[1]);
+    const double radius  = std::hypot(0.5 * (stress[0] - stress[1]), stress[3]);
+    const double largest = std::max(mean + radius, stress[2]),
                  smallest = std::min(mean - radius, stress[2]);
     return std::asin((smallest - largest) / (smallest + largest)) * 180. / pi;
   }
@@ -118,8 +117,8 @@ TEST(Cones, matsuoka_and_nakai_return_to_their_cone)
   for (const double angle : {1., 10., 25., 40., 60., 80.})
     {
       const MatsuokaNakai law(constants_of(YieldCone::matsuoka_nakai, angle));
-      const double        square = std::pow(std::sin(angle * pi / 180.), 2);
-      const double        ratio  = (9. - square) / (1. - square);
+      const double        square     = std::pow(std::sin(angle * pi / 180.), 2);
+      const double        ratio      = (9. - square) / (1. - square);
       unsigned int        n_yielding = 0;
       for (unsigned int n = 0; n < 200; ++n)
         {
@@ -143,7 +142,7 @@ TEST(Cones, matsuoka_and_nakai_are_the_same_in_lanes_and_components)
   const MatsuokaNakai law(constants_of(YieldCone::matsuoka_nakai, 30., 200.));
   for (unsigned int n = 0; n < 50; ++n)
     {
-      const SymmetricComponents<4>  trial = random_stress<4>();
+      const SymmetricComponents<4>  trial  = random_stress<4>();
       SymmetricComponents<4>        stress = trial;
       SymmetricComponents<6>        in_space;
       SymmetricComponents<4, Lanes> lanes;
@@ -174,7 +173,7 @@ TEST(Cones, projection_derivative_is_that_of_the_return)
       const auto derivative = law.projection_derivative(trial);
       for (int c = 0; c < 6; ++c)
         {
-          constexpr double       step = 1e-3;
+          constexpr double       step  = 1e-3;
           SymmetricComponents<6> above = trial, below = trial;
           above[c] += step;
           below[c] -= step;

@@ -48,7 +48,7 @@ namespace
     double lower = constants.cohesion, upper = tau_trial;
     for (unsigned int n = 0; n < 200; ++n)
       {
-        const double tau  = 0.5 * (lower + upper);
+        const double tau = 0.5 * (lower + upper);
         const double rate =
           (tau_trial - tau) / (elasticity.shear_modulus * time_step);
         (strength(rate) > tau ? lower : upper) = tau;
@@ -82,7 +82,9 @@ TEST(MuI, return_solves_its_equation)
         for (const double tau : {700., 1200., 5000.})
           {
             const auto constants = glass_beads(diameter, cohesion);
-            EXPECT_NEAR(tau_of(MuI(constants), {-1e3, -1e3, -1e3, tau}, time_step) /
+            EXPECT_NEAR(tau_of(MuI(constants),
+                               {-1e3, -1e3, -1e3, tau},
+                               time_step) /
                           tau_by_bisection(constants, 1e3, tau, time_step),
                         1.,
                         1e-9)
@@ -120,9 +122,11 @@ TEST(MuI, steady_shear_has_mu_of_its_rate)
                 law.predict(Increment{{0., 0., 0., 0.5 * rate * time_step}},
                             time_step));
   const double number = rate * 1e-3 * std::sqrt(2500. / 1e3);
-  const double slow = std::tan(20.9 * pi / 180.),
-               fast = std::tan(32.76 * pi / 180.);
-  EXPECT_NEAR(stress[3] / 1e3, slow + (fast - slow) / (1. + 0.278 / number), 1e-6);
+  const double slow   = std::tan(20.9 * pi / 180.),
+               fast   = std::tan(32.76 * pi / 180.);
+  EXPECT_NEAR(stress[3] / 1e3,
+              slow + (fast - slow) / (1. + 0.278 / number),
+              1e-6);
 }
 
 

@@ -22,7 +22,7 @@ namespace
   {
   protected:
     static constexpr CellType cell_type = CellTypeConstant::value;
-    using CellSetting = Setting<Axisymmetric, cell_type>;
+    using CellSetting                   = Setting<Axisymmetric, cell_type>;
 
     AxisymmetricKinematics()
     {
@@ -87,10 +87,8 @@ namespace
       average.compute(fixture.stage->particles().blocks(), sums, velocity);
       Strays<StageLayout> strays;
       fixture.stage->edit_blocks([&](auto &blocks) {
-        ParticlePass<CellSetting, DruckerPrager, true>(geometry,
-                                        update,
-                                        StressIntegration::start_of_step,
-                                        time_step)
+        ParticlePass<CellSetting, DruckerPrager, true>(
+          geometry, update, StressIntegration::start_of_step, time_step)
           .run(blocks,
                fixture.stage->nodal_fields().acceleration, // none yet
                velocity,

@@ -19,10 +19,9 @@ namespace
 {
   using namespace Sandglass;
 
-  using CellSetting = Setting<PlaneStrain,
-                              CellType::triangle,
-                              n_state_numbers<VoidRatioLaw>()>;
-  using Stage       = ExplicitParticleStage<CellSetting>;
+  using CellSetting =
+    Setting<PlaneStrain, CellType::triangle, n_state_numbers<VoidRatioLaw>()>;
+  using Stage = ExplicitParticleStage<CellSetting>;
 
   /// A box in which material falls onto the floor, small particles beside large
   /// ones, so that some are halved.

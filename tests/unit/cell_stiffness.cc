@@ -125,7 +125,7 @@ TYPED_TEST(CellStiffnessTest, IsTheElasticWorkOfStiffParticles)
   const LawAdapter<TypeParam, DruckerPrager> law(cells.material,
                                                  cells.parameters,
                                                  *cells.geometry);
-  CellStiffness<TypeParam> stiffness(law, *cells.geometry);
+  CellStiffness<TypeParam>                   stiffness(law, *cells.geometry);
   stiffness.assemble(blocks, sums);
 
   auto          u = cells.random_field(), v = cells.random_field();

@@ -15,10 +15,9 @@ namespace
   double
   largest_stable_step(StageFixture &fixture)
   {
-    using Quadrilaterals =
-      Setting<Kinematics, CellType::quadrilateral>;
-    const auto &stage  = *fixture.stage;
-    const auto &blocks = stage.particles().blocks();
+    using Quadrilaterals = Setting<Kinematics, CellType::quadrilateral>;
+    const auto &stage    = *fixture.stage;
+    const auto &blocks   = stage.particles().blocks();
     const CellGeometry<CellType::quadrilateral> geometry(*fixture.scene);
     NodalSums<Quadrilaterals>                   cells(geometry, 0., {});
     cells.cells.compute(blocks);

@@ -52,7 +52,9 @@ TEST(DruckerPrager, SlopeOfTheYieldSurface)
 {
   EXPECT_NEAR(material.cone.slope, 1.25, 1e-15);
   // phi = 25 degrees: 18 * 0.4226182617 / (9 - 0.1786061952)
-  EXPECT_NEAR(CircularCone(YieldCone::paper, 25. * pi / 180., 0.).slope, 0.8623499732, 1e-10);
+  EXPECT_NEAR(CircularCone(YieldCone::paper, 25. * pi / 180., 0.).slope,
+              0.8623499732,
+              1e-10);
 }
 
 

@@ -30,12 +30,12 @@ namespace
 // Integrated from the field's equations by another program.
 TEST(Jenike, radial_stress_in_wedges)
 {
-  const double delta_25 = std::asin(18. * std::sin(25. * degree) /
-                                    (9. - std::pow(std::sin(25. * degree), 2)) /
-                                    std::sqrt(3.)) /
-                          degree;
-  const double delta_30 = std::asin(18. * 0.5 / (9. - 0.25) / std::sqrt(3.)) /
-                          degree;
+  const double delta_25 =
+    std::asin(18. * std::sin(25. * degree) /
+              (9. - std::pow(std::sin(25. * degree), 2)) / std::sqrt(3.)) /
+    degree;
+  const double delta_30 =
+    std::asin(18. * 0.5 / (9. - 0.25) / std::sqrt(3.)) / degree;
   const auto wedge = Formulation::plane_strain;
   EXPECT_NEAR(wall_stress(wedge, delta_25, 10., 5.), 1.2243, 2e-4);
   EXPECT_NEAR(wall_stress(wedge, delta_25, 10., 20.), 0.4523, 2e-4);
@@ -83,12 +83,14 @@ TEST(Jenike, flow_factor_and_widths)
                       20. * degree};
   EXPECT_GT(hopper.flow_factor(), 1.0);
   EXPECT_LT(hopper.flow_factor(), 1.7);
-  EXPECT_NEAR(hopper.arching_width(3000., 15000.), (2. + 20. / 60.) / 5., 1e-12);
+  EXPECT_NEAR(hopper.arching_width(3000., 15000.),
+              (2. + 20. / 60.) / 5.,
+              1e-12);
   EXPECT_NEAR(hopper.rathole_diameter(3000., 15000.),
               4.3 * std::tan(50. * degree) / 5.,
               1e-12);
   // No radial field with a flat bottom.
-  EXPECT_TRUE(std::isnan(
-    Jenike{Formulation::plane_strain, 30. * degree, 20. * degree, 0.}
-      .flow_factor()));
+  EXPECT_TRUE(
+    std::isnan(Jenike{Formulation::plane_strain, 30. * degree, 20. * degree, 0.}
+                 .flow_factor()));
 }

@@ -20,8 +20,8 @@ namespace Sandglass
   class GreenNaghdi : private Law
   {
   public:
-    static constexpr const char *name        = Law::name;
-    static constexpr const char *description = Law::description;
+    static constexpr const char *name          = Law::name;
+    static constexpr const char *description   = Law::description;
     static constexpr auto       &law_constants = Law::law_constants;
     static constexpr bool        has_cohesion  = Law::has_cohesion;
 
@@ -90,10 +90,10 @@ namespace Sandglass
             State                       &state,
             const Prediction            &prediction) const
     {
-      const Rotation<Number> rest = rotation_of(state, prediction) -
-                                    Rotation<Number>{
-                                      Number(prediction[rotation]),
-                                      Number(prediction[rotation + 1])};
+      const Rotation<Number> rest =
+        rotation_of(state, prediction) -
+        Rotation<Number>{Number(prediction[rotation]),
+                         Number(prediction[rotation + 1])};
       stress = rotate(stress, rest);
       Turned<Number> increment;
       for (int c = 0; c < 4; ++c)
@@ -137,10 +137,9 @@ namespace Sandglass
       Rotation
       operator-(const Rotation &other) const
       {
-        const Number scale = Number(1.) / (other.cosine * other.cosine +
-                                           other.sine * other.sine);
-        return {scale *
-                  (this->cosine * other.cosine + this->sine * other.sine),
+        const Number scale =
+          Number(1.) / (other.cosine * other.cosine + other.sine * other.sine);
+        return {scale * (this->cosine * other.cosine + this->sine * other.sine),
                 scale *
                   (this->sine * other.cosine - this->cosine * other.sine)};
       }
@@ -169,7 +168,7 @@ namespace Sandglass
     {
       using Number = std::decay_t<decltype(state[0])>;
       using std::sqrt;
-      const auto   F = [&state](const int i) -> Number & {
+      const auto F = [&state](const int i) -> Number & {
         return state[n_of_law + i];
       };
       // R turns by the angle of the vector (F_xx + F_yy, F_yx - F_xy).

@@ -36,7 +36,7 @@ namespace Sandglass
     double elastic_energy    = 0.; ///< of the material, in J
     double dissipated_energy = 0.; ///< by plastic flow and wall friction, in J
     /// Whether the law can't tell elastic energy from what is dissipated.
-    bool dissipation_can_fall = false;
+    bool   dissipation_can_fall = false;
     double wall_work = 0.; ///< done by moving walls on the material, in J
 
     Tensor<1, 3> momentum;           ///< in kg m/s

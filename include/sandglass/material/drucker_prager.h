@@ -8,8 +8,8 @@
 namespace Sandglass
 {
   /**
-   * Drucker-Prager plasticity, f = q - m p, less a strength of the cohesion, with
-   * incompressible plastic flow (paper, Sections 2.2 and 4.1).
+   * Drucker-Prager plasticity, f = q - m p, less a strength of the cohesion,
+   * with incompressible plastic flow (paper, Sections 2.2 and 4.1).
    */
   class DruckerPrager : public IsochoricPlasticity<CircularCone>
   {

@@ -47,10 +47,10 @@ namespace Sandglass
     static constexpr bool has_cohesion = false;
 
     /// Without an elastic energy; see correct().
-    static constexpr bool dissipation_can_fall = true;
-    static constexpr bool can_fail = false;
+    static constexpr bool dissipation_can_fall     = true;
+    static constexpr bool can_fail                 = false;
     static constexpr bool pressure_follows_density = false;
-    static constexpr bool takes_averaged_strain = true;
+    static constexpr bool takes_averaged_strain    = true;
 
     static bool
     is_meant(const MaterialConstants &constants)

@@ -12,9 +12,9 @@
 namespace Sandglass
 {
   /**
-   * Linear elasticity within a cone, and plastic flow that keeps the volume: the
-   * potential is g = q, so the return to the cone shrinks the deviator (paper,
-   * Sections 2.2 and 4.1). What laws of different cones share.
+   * Linear elasticity within a cone, and plastic flow that keeps the volume:
+   * the potential is g = q, so the return to the cone shrinks the deviator
+   * (paper, Sections 2.2 and 4.1). What laws of different cones share.
    *
    * Tension beyond the cut-off separates the material: no stress is left until
    * it is as dense as without stress again.
@@ -32,10 +32,10 @@ namespace Sandglass
     static constexpr bool has_cohesion = true;
 
     // CONTRIBUTING.md says what these mean.
-    static constexpr bool dissipation_can_fall = false;
-    static constexpr bool can_fail = false;
+    static constexpr bool dissipation_can_fall     = false;
+    static constexpr bool can_fail                 = false;
     static constexpr bool pressure_follows_density = true;
-    static constexpr bool takes_averaged_strain = true;
+    static constexpr bool takes_averaged_strain    = true;
 
     /// Whether stiffness_bound() is the same for all states.
     static constexpr bool has_constant_stiffness = true;
@@ -93,8 +93,8 @@ namespace Sandglass
     }
 
     /**
-     * Project a trial stress onto the admissible stresses (three-case formula of
-     * Section 4.1).
+     * Project a trial stress onto the admissible stresses (three-case formula
+     * of Section 4.1).
      *
      * @return as correct().
      */
@@ -205,8 +205,8 @@ namespace Sandglass
       const ComponentMatrix<n> deviatoric =
         ComponentMatrix<n>::Identity() + identity * p_gradient.transpose();
       return ratio * deviatoric +
-             s * (cone.gradient(p, s) / q - ratio / q * q_gradient)
-                   .transpose() -
+             s *
+               (cone.gradient(p, s) / q - ratio / q * q_gradient).transpose() -
              identity * p_gradient.transpose();
     }
 

@@ -83,11 +83,11 @@ namespace Sandglass
         1e-1,
         "relative error of the stress in one substep"}}};
 
-    static constexpr bool has_cohesion         = false;
-    static constexpr bool dissipation_can_fall = false;
-    static constexpr bool can_fail = false;
+    static constexpr bool has_cohesion             = false;
+    static constexpr bool dissipation_can_fall     = false;
+    static constexpr bool can_fail                 = false;
     static constexpr bool pressure_follows_density = false;
-    static constexpr bool takes_averaged_strain = false;
+    static constexpr bool takes_averaged_strain    = false;
 
     static bool
     is_meant(const MaterialConstants &constants)

@@ -149,14 +149,13 @@ namespace Sandglass
     Elasticity
     elasticity() const
     {
-      constexpr double p_a = LadeConstants::atmospheric_pressure;
-      const double     nu  = constants.poisson_ratio;
+      constexpr double p_a     = LadeConstants::atmospheric_pressure;
+      const double     nu      = constants.poisson_ratio;
       double           measure = smallest_stress;
       if (constants.conserves_energy)
         measure =
-          std::sqrt(first * first / 9. +
-                    2. / 9. * (1. + nu) / (1. - 2. * nu) *
-                      squared_von_mises_stress(stress));
+          std::sqrt(first * first / 9. + 2. / 9. * (1. + nu) / (1. - 2. * nu) *
+                                           squared_von_mises_stress(stress));
       return {constants.modulus_number * p_a *
                 std::pow(std::max(measure, constants.floor_pressure) / p_a,
                          constants.modulus_exponent),

@@ -33,7 +33,7 @@ namespace Sandglass
     double    poisson_ratio           = 0.3;
     double    internal_friction_angle = 25.; ///< in degrees
     YieldCone yield_cone              = YieldCone::matsuoka_nakai;
-    double    cohesion                = 0.; ///< in Pa
+    double    cohesion                = 0.;  ///< in Pa
     double    void_ratio              = 0.8; ///< unstressed, of laws with one
 
     StressRate stress_rate = StressRate::jaumann;

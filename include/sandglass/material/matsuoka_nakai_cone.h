@@ -16,9 +16,20 @@ namespace Sandglass
   cosine_of_two_thirds(const Number &w)
   {
     // Interpolates at Chebyshev's points, in powers of x.
-    constexpr std::array<double, 12> coefficients = {{0.766044443127552, 0.2474090663203153, -0.015509189053053249, 0.002466352997575898, -0.0005041175435096118, 0.00011642333764469613, -2.895003368307985e-05, 7.549983726996081e-06, -1.979265754829334e-06, 5.474106122650974e-07, -2.072221432805085e-07, 5.994733584263491e-08}};
-    const Number x = Number(2.) * w - Number(1.);
-    Number       value(coefficients.back());
+    constexpr std::array<double, 12> coefficients = {{0.766044443127552,
+                                                      0.2474090663203153,
+                                                      -0.015509189053053249,
+                                                      0.002466352997575898,
+                                                      -0.0005041175435096118,
+                                                      0.00011642333764469613,
+                                                      -2.895003368307985e-05,
+                                                      7.549983726996081e-06,
+                                                      -1.979265754829334e-06,
+                                                      5.474106122650974e-07,
+                                                      -2.072221432805085e-07,
+                                                      5.994733584263491e-08}};
+    const Number                     x            = Number(2.) * w - Number(1.);
+    Number                           value(coefficients.back());
     for (std::size_t i = coefficients.size() - 1; i-- > 0;)
       value = value * x + Number(coefficients[i]);
     return value;
@@ -77,7 +88,7 @@ namespace Sandglass
       const double root   = this->root(deviator, 3. * J2);
       const double height = smallest_slope * (pressure + tensile_pressure);
       // dt of t = per_invariant J3 J2^(-3/2), then 4 c^3 - 3 c = t.
-      const double t_scale = per_invariant / std::pow(J2, 1.5);
+      const double           t_scale = per_invariant / std::pow(J2, 1.5);
       SymmetricComponents<n> t_gradient =
         t_scale * (square(deviator) - isotropic<n>(2. / 3. * J2) -
                    1.5 * determinant(deviator) / J2 * deviator);
@@ -108,10 +119,9 @@ namespace Sandglass
       using std::sqrt;
       constexpr double smallest_cube = 1e-200; // in Pa^3; avoids 0 / 0
 
-      const Number J2 = Number(1. / 3.) * squared_von_mises_stress;
-      const Number cosine =
-        Number(per_invariant) * determinant(deviator) /
-        (J2 * sqrt(J2) + Number(smallest_cube));
+      const Number J2     = Number(1. / 3.) * squared_von_mises_stress;
+      const Number cosine = Number(per_invariant) * determinant(deviator) /
+                            (J2 * sqrt(J2) + Number(smallest_cube));
       // A deviator that is nothing but rounding may lie beyond.
       const Number half_square = Number(0.5) * (Number(1.) + cosine);
       return cosine_of_two_thirds(

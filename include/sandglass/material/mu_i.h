@@ -7,11 +7,11 @@
 namespace Sandglass
 {
   /**
-   * Friction that grows with the rate of shear: tau = c + mu(I) p with tau = q /
-   * sqrt(3), mu = mu_s + (mu_2 - mu_s) / (1 + I_0 / I) and the inertial number
-   * I = rate d sqrt(rho_s / p), rate that of plastic shear (jop2006). mu_s =
-   * tan(phi) acts in simple shear. Linear elastic below mu_s, plastic flow
-   * keeps the volume; the return to the stress at the end of a step has a
+   * Friction that grows with the rate of shear: tau = c + mu(I) p with tau = q
+   * / sqrt(3), mu = mu_s + (mu_2 - mu_s) / (1 + I_0 / I) and the inertial
+   * number I = rate d sqrt(rho_s / p), rate that of plastic shear (jop2006).
+   * mu_s = tan(phi) acts in simple shear. Linear elastic below mu_s, plastic
+   * flow keeps the volume; the return to the stress at the end of a step has a
    * closed form (dunatunga2015).
    */
   class MuI
@@ -37,12 +37,12 @@ namespace Sandglass
        {"d", "m", 1e-3, 0., 1e3, "diameter of the grains"},
        {"rho_s", "kg/m^3", 2500., 1e-3, 1e6, "density of the grains"}}};
 
-    static constexpr bool has_cohesion           = true;
-    static constexpr bool dissipation_can_fall = false;
-    static constexpr bool can_fail = false;
+    static constexpr bool has_cohesion             = true;
+    static constexpr bool dissipation_can_fall     = false;
+    static constexpr bool can_fail                 = false;
     static constexpr bool pressure_follows_density = true;
-    static constexpr bool takes_averaged_strain = true;
-    static constexpr bool has_constant_stiffness = true;
+    static constexpr bool takes_averaged_strain    = true;
+    static constexpr bool has_constant_stiffness   = true;
 
     static bool
     is_meant(const MaterialConstants &constants)
@@ -169,8 +169,8 @@ namespace Sandglass
       using std::sqrt;
       const Number                         p = pressure(stress);
       const SymmetricComponents<n, Number> s = stress + isotropic<n>(p);
-      const Number tau  = sqrt(Number(0.5) * double_contraction(s, s));
-      const Number over = tau - Number(cohesion);
+      const Number tau          = sqrt(Number(0.5) * double_contraction(s, s));
+      const Number over         = tau - Number(cohesion);
       const Number p_in_contact = select(p > Number(0.), p, Number(0.));
       const Number at_rest      = Number(slow) * p_in_contact;
       const Number at_most      = Number(fast) * p_in_contact;
@@ -179,14 +179,13 @@ namespace Sandglass
       const Number b = at_most + over + viscous;
       const Number h = at_most * over + at_rest * viscous;
       const Number new_tau =
-        Number(cohesion) +
-        Number(2.) * h / (b + sqrt(b * b - Number(4.) * h));
+        Number(cohesion) + Number(2.) * h / (b + sqrt(b * b - Number(4.) * h));
 
       // In this order, a stress that is not a number spreads; see
       // IsochoricPlasticity.
       const auto   is_separated = p <= Number(smallest_pressure);
       const auto   is_elastic   = over <= at_rest;
-      const Number ratio = select(is_elastic, Number(1.), new_tau / tau);
+      const Number ratio        = select(is_elastic, Number(1.), new_tau / tau);
       for (int c = 0; c < n; ++c)
         {
           const Number normal = c < Component::first_shear ? p : Number(0.);

@@ -69,9 +69,9 @@ namespace Sandglass
       law.stiffness_bound(stress, state).confined_modulus();
     const double step =
       std::max(smallest_strain * modulus,
-               relative * std::max(stress.cwiseAbs().maxCoeff(),
-                                   modulus *
-                                     increment.strain.cwiseAbs().maxCoeff()));
+               relative *
+                 std::max(stress.cwiseAbs().maxCoeff(),
+                          modulus * increment.strain.cwiseAbs().maxCoeff()));
     return numerical_tangent(law, stress, state, increment, step);
   }
 } // namespace Sandglass

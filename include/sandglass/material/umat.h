@@ -47,9 +47,9 @@ namespace Sandglass
     static constexpr bool dissipation_can_fall = true;
 
     /// Whether correct() may throw LawFailure.
-    static constexpr bool can_fail = true;
+    static constexpr bool can_fail                 = true;
     static constexpr bool pressure_follows_density = false;
-    static constexpr bool takes_averaged_strain = true;
+    static constexpr bool takes_averaged_strain    = true;
 
     static bool
     is_meant(const MaterialConstants &constants)

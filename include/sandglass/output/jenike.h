@@ -12,7 +12,7 @@ namespace Sandglass
     Formulation formulation = Formulation::plane_strain;
     /// Effective angle of internal friction delta; of a linear yield locus that
     /// is phi itself.
-    double friction_angle = 0.;
+    double friction_angle      = 0.;
     double wall_friction_angle = 0.;
     /// Between the hopper's wall and the vertical; 0 for a flat bottom.
     double hopper_angle = 0.;

@@ -47,13 +47,14 @@ namespace Sandglass
   };
 
   /// Keys of such a study's summary.json.
-  extern const std::vector<Column<SmallestOutlet>> smallest_outlet_summary_table;
+  extern const std::vector<Column<SmallestOutlet>>
+    smallest_outlet_summary_table;
 
   /**
-   * Bisection of the outlet's width between flow and arrest, each run from rest;
-   * the hopper keeps its slope. Material flows if in the last third of a run it
-   * still leaves with a tenth of the rate rho sqrt(g) D^n that a cohesionless
-   * one has about.
+   * Bisection of the outlet's width between flow and arrest, each run from
+   * rest; the hopper keeps its slope. Material flows if in the last third of a
+   * run it still leaves with a tenth of the rate rho sqrt(g) D^n that a
+   * cohesionless one has about.
    */
   void
   study_smallest_outlet(Parameters          &parameters,

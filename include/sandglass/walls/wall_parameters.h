@@ -48,8 +48,8 @@ namespace Sandglass
     double                box_depth = 0.;
     std::optional<double> box_friction_angle; ///< as friction_angle
 
-    bool            fix_bottom_corner  = true;
-    OutletLip       outlet_lip         = OutletLip::free;
+    bool      fix_bottom_corner = true;
+    OutletLip outlet_lip        = OutletLip::free;
 
     /// Of the box's front and back.
     double

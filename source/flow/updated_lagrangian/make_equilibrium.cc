@@ -13,8 +13,9 @@ namespace Sandglass
     std::unique_ptr<Equilibrium<dim>> equilibrium;
     choose_kinematics<dim>(formulation, [&](const auto kinematics) {
       equilibrium =
-        make_material_equilibrium<typename decltype(kinematics)::Type>(
-          grid, material, gravity);
+        make_material_equilibrium<typename decltype(kinematics)::Type>(grid,
+                                                                       material,
+                                                                       gravity);
     });
     return equilibrium;
   }

@@ -35,9 +35,8 @@ namespace Sandglass
       : is_on(walls.box_depth > 0.)
       , geometry(geometry)
       , nodes(nodes)
-      , friction_per_depth(is_on ? 2. * walls.box_friction_coefficient() /
-                                     walls.box_depth :
-                                   0.)
+      , friction_per_depth(
+          is_on ? 2. * walls.box_friction_coefficient() / walls.box_depth : 0.)
     {
       if (is_on)
         limits.emplace(nodes);
@@ -51,11 +50,11 @@ namespace Sandglass
      * @return the work that friction takes on this rank in the step, in J.
      */
     double
-    brake(const Blocks              &blocks,
-          const NodalSums<Setting>  &cells,
-          const NodalSumField<dim>  &sums,
-          const double               time_step,
-          NodalField<dim>           &acceleration)
+    brake(const Blocks             &blocks,
+          const NodalSums<Setting> &cells,
+          const NodalSumField<dim> &sums,
+          const double              time_step,
+          NodalField<dim>          &acceleration)
     {
       using NodalSum = Sandglass::NodalSum<dim>;
       find_limits(blocks, cells);
@@ -80,7 +79,8 @@ namespace Sandglass
           if (!(loss > 0.))
             continue;
           for (unsigned int d = 0; d < dim; ++d)
-            acceleration.at(node)[d] -= loss / (speed * time_step) * velocity[d];
+            acceleration.at(node)[d] -=
+              loss / (speed * time_step) * velocity[d];
           work += mass * loss * (speed - 0.5 * loss);
         }
       return work;
@@ -116,8 +116,8 @@ namespace Sandglass
 
     const Geometry                    &geometry;
     const Utilities::MPI::Partitioner &nodes;
-    std::optional<NodalField<1>>       limits; ///< in N
-    const double friction_per_depth;           ///< 2 mu / W, in 1/m
+    std::optional<NodalField<1>>       limits;             ///< in N
+    const double                       friction_per_depth; ///< 2 mu / W, in 1/m
   };
 } // namespace Sandglass
 

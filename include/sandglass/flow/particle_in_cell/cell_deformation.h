@@ -173,7 +173,11 @@ namespace Sandglass
     auto
     is_stressed(const State &state) const
     {
-      if constexpr (Law::pressure_follows_density) return state.density >= Lanes(averaged.smallest_density); else return (state.density >= Lanes(averaged.smallest_density)) & (state.stress[Component::yy] != Lanes(0.));
+      if constexpr (Law::pressure_follows_density)
+        return state.density >= Lanes(averaged.smallest_density);
+      else
+        return (state.density >= Lanes(averaged.smallest_density)) &
+               (state.stress[Component::yy] != Lanes(0.));
     }
 
     /// One of the two uniform ones, by whether each particle is stressed. They

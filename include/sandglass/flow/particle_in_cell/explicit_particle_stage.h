@@ -3,13 +3,13 @@
 
 #include <sandglass/flow/particle_in_cell/box_friction.h>
 #include <sandglass/flow/particle_in_cell/critical_time_step.h>
-#include <sandglass/flow/particle_in_cell/nodal_equations.h>
 #include <sandglass/flow/particle_in_cell/law_interface.h>
+#include <sandglass/flow/particle_in_cell/nodal_equations.h>
 #include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
-#include <sandglass/flow/throw_law_failure.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
 #include <sandglass/flow/particle_in_cell/stage_totals.h>
+#include <sandglass/flow/throw_law_failure.h>
 #include <sandglass/particles/seeding.h>
 
 #include <functional>
@@ -25,9 +25,9 @@ namespace Sandglass
   public:
     static constexpr int dim = Setting::dim;
 
-    using Law        = LawInterface<Setting>;
+    using Law = LawInterface<Setting>;
     /// Makes the law for the cells of this geometry.
-    using MakeLaw = std::function<std::unique_ptr<const Law>(
+    using MakeLaw    = std::function<std::unique_ptr<const Law>(
       const CellGeometry<Setting::cell_type> &geometry)>;
     using Layout     = typename Setting::Layout;
     using Kinematics = typename Setting::Kinematics;
@@ -385,14 +385,14 @@ namespace Sandglass
 
     const CellGeometry<Setting::cell_type> geometry;
     const InitialConfiguration<Kinematics, Setting::cell_type>
-                               initial_configuration;
-    const double               unstressed_density;
+                                     initial_configuration;
+    const double                     unstressed_density;
     const std::unique_ptr<const Law> law;
-    NodalSums<Setting>         nodal_sums;
-    VolumetricAverage<Setting> volumetric_average;
-    Relocation<Setting>        relocation;
-    ParticleSplitting<Setting> splitting;
-    BoxFriction<Setting>       box;
+    NodalSums<Setting>               nodal_sums;
+    VolumetricAverage<Setting>       volumetric_average;
+    Relocation<Setting>              relocation;
+    ParticleSplitting<Setting>       splitting;
+    BoxFriction<Setting>             box;
 
     // What they know is found anew in each step, so a view may use them too.
     mutable MassMatrix<Setting>       mass_matrix;

@@ -21,7 +21,8 @@ namespace Sandglass
     LawAdapter(const MaterialConstants       &constants,
                const ParticleStageParameters &parameters,
                const Geometry                &geometry)
-      : Base(Law::has_constant_stiffness, Law::dissipation_can_fall,
+      : Base(Law::has_constant_stiffness,
+             Law::dissipation_can_fall,
              Law::takes_averaged_strain)
       , stress_update(Law(constants),
                       constants.density,

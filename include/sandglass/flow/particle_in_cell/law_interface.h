@@ -3,8 +3,8 @@
 
 #include <sandglass/flow/clock.h>
 #include <sandglass/flow/particle_in_cell/nodal_sums.h>
-#include <sandglass/flow/particle_in_cell/volumetric_average.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
+#include <sandglass/flow/particle_in_cell/volumetric_average.h>
 #include <sandglass/material/elasticity.h>
 #include <sandglass/material/material_constants.h>
 #include <sandglass/material/state_variable.h>

@@ -16,9 +16,9 @@ namespace Sandglass
   {
     std::unique_ptr<DynamicFlow<Kinematics::dim>> stage;
     choose_law(material, [&](const auto law) {
-      using Law     = typename decltype(law)::Type;
-      using Setting = Sandglass::
-        Setting<Kinematics, cell_type, n_state_numbers<Law>()>;
+      using Law = typename decltype(law)::Type;
+      using Setting =
+        Sandglass::Setting<Kinematics, cell_type, n_state_numbers<Law>()>;
       const auto make = [&](const CellGeometry<cell_type> &geometry) {
         return make_law<Setting, Law>(material, parameters, geometry);
       };

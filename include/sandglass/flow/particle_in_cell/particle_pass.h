@@ -123,9 +123,11 @@ namespace Sandglass
         const auto values = Shape::shape_values(state.reference);
         accelerate(interpolate(accelerations, values), time_step, state);
 
-        const auto  velocity = interpolate(velocities, values);
-        const Lanes work_density =
-          update_stress(state, deformation(state, velocity), {cell, block, 0}, blocks);
+        const auto  velocity     = interpolate(velocities, values);
+        const Lanes work_density = update_stress(state,
+                                                 deformation(state, velocity),
+                                                 {cell, block, 0},
+                                                 blocks);
         dissipation += state.volume() * work_density;
 
         move(velocity, time_step, shape, state);

@@ -105,14 +105,14 @@ namespace Sandglass
 
     FlowTotals totals;
     totals.dissipation_can_fall = law.dissipation_can_fall;
-    totals.mass_in_silo      = sums[Totals::mass_in_silo];
-    totals.mass_falling      = sums[Totals::mass_falling];
-    totals.mass_removed      = sums[n];
-    totals.mass_lost         = sums[n + 1];
-    totals.kinetic_energy    = sums[Totals::kinetic_energy];
-    totals.elastic_energy    = sums[Totals::elastic_energy];
-    totals.dissipated_energy = sums[n + 2];
-    totals.wall_work         = sums[n + 3];
+    totals.mass_in_silo         = sums[Totals::mass_in_silo];
+    totals.mass_falling         = sums[Totals::mass_falling];
+    totals.mass_removed         = sums[n];
+    totals.mass_lost            = sums[n + 1];
+    totals.kinetic_energy       = sums[Totals::kinetic_energy];
+    totals.elastic_energy       = sums[Totals::elastic_energy];
+    totals.dissipated_energy    = sums[n + 2];
+    totals.wall_work            = sums[n + 3];
     for (unsigned int d = 0; d < Setting::dim; ++d)
       totals.momentum[d] = sums[Totals::momentum + d];
 

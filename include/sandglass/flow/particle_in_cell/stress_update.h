@@ -34,10 +34,10 @@ namespace Sandglass
                  const double        unstressed_density,
                  const DensityUpdate density_update)
       : law(law)
-      , smallest_stressed_density(
-          density_update == DensityUpdate::separation ?
-            law.loosest_density_share() * unstressed_density :
-            0.)
+      , smallest_stressed_density(density_update == DensityUpdate::separation ?
+                                    law.loosest_density_share() *
+                                      unstressed_density :
+                                    0.)
     {}
 
     /**
