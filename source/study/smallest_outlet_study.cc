@@ -237,7 +237,16 @@ namespace Sandglass
           if (half_width < narrowest * first_half_width ||
               half_width > 0.95 * parameters.scene.half_width)
             return;
-          attempt(half_width);
+          try
+            {
+              attempt(half_width);
+            }
+          catch (const InputError &error)
+            {
+              log.stream() << "No narrower or wider outlet: " << error.what()
+                           << std::endl;
+              return;
+            }
         }
     }
 

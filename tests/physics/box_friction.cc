@@ -76,6 +76,12 @@ TEST_P(BoxFrictionTest, slows_down_what_moves)
     EXPECT_NEAR(x, 0.6 * (speed - loss), 1e-12);
     EXPECT_NEAR(y, 0.8 * (speed - loss), 1e-12);
   });
+  // Forces at the boundary change speeds there by some thousandths.
+  const FlowTotals totals = fixture.stage->view().totals();
+  EXPECT_NEAR(fixture.stage->dissipation() /
+                (mass_of_all(totals) * loss * (speed - 0.5 * loss)),
+              1.,
+              1e-2);
 }
 
 
@@ -87,21 +93,6 @@ TEST_P(BoxFrictionTest, stops_what_is_slow)
     EXPECT_NEAR(x, 0., 1e-15);
     EXPECT_NEAR(y, 0., 1e-15);
   });
-}
-
-
-
-// All that moves loses its energy to friction, in one step.
-TEST_P(BoxFrictionTest, takes_the_energy_that_is_lost)
-{
-  constexpr double speed = 1e-4;
-  start(speed, 1e-4);
-  const FlowTotals totals = fixture.stage->view().totals();
-  EXPECT_NEAR(fixture.stage->dissipation() /
-                (0.5 * mass_of_all(totals) * speed * speed),
-              1.,
-              0.35); // walls stop the rest
-  EXPECT_GT(fixture.stage->dissipation(), 0.);
 }
 
 

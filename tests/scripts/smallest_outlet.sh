@@ -23,7 +23,7 @@ fail()
 key() { sed -n "s/^ *\"$1\": \(.*[^,]\),*$/\1/p" "$2"; }
 
 "$sandglass" --study smallest-outlet "$scene" -o cohesive -s "Material/Cohesion=500" \
-  -s "Scene/Headroom=0.1" >cohesive.txt
+  -s "Scene/Headroom=0.1" -s "Scene/Element size=0.02" >cohesive.txt
 cat cohesive.txt cohesive/study.csv
 [ "$(head -n 1 cohesive/study.csv)" = outlet_half_width_m,flows,flow_rate_kg_per_s ] ||
   fail "the head of study.csv is wrong"
@@ -41,7 +41,7 @@ awk -F , -v stands="$(key largest_arrested_half_width_m $summary)" \
   'NR > 1 && ($2 == 0) != ($1 <= stands) { exit 1 }' cohesive/study.csv ||
   fail "a row contradicts the bounds"
 
-"$sandglass" --study smallest-outlet "$scene" -o loose -s "Scene/Headroom=0.1" \
+"$sandglass" --study smallest-outlet "$scene" -o loose -s "Scene/Headroom=0.1" -s "Scene/Element size=0.02" \
   -s "Scene/Outlet half width=0.15" -s "Particle stage/End time=0.3" >loose.txt
 grep -q "flows through every outlet tried" loose.txt || fail "loose material stands"
 grep -q '"largest_arrested_half_width_m": null' loose/summary.json ||
