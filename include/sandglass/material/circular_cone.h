@@ -8,6 +8,20 @@
 
 namespace Sandglass
 {
+  /// A limit of q in Pa as a quotient, so that who divides by q divides once.
+  template <typename Number>
+  struct DeviatorLimit
+  {
+    Number numerator;   ///< in Pa
+    Number denominator; ///< at least 1/2
+
+    Number
+    value() const
+    {
+      return numerator / denominator;
+    }
+  };
+
   /// q = slope * p + strength: a cone whose sections of constant pressure are
   /// circles (Drucker and Prager).
   struct CircularCone
@@ -49,14 +63,14 @@ namespace Sandglass
       strength            = factor * cohesion * std::cos(friction_angle);
     }
 
-    /// Largest q in Pa at a pressure.
+    /// Largest q at a pressure in Pa.
     template <int n, typename Number>
-    Number
+    DeviatorLimit<Number>
     largest_deviator(const Number &pressure,
                      const Eigen::Matrix<Number, n, 1> & /*deviator*/,
                      const Number & /*squared_von_mises_stress*/) const
     {
-      return Number(slope) * pressure + Number(strength);
+      return {Number(slope) * pressure + Number(strength), Number(1.)};
     }
 
     /// Derivative of largest_deviator() with respect to the stress.

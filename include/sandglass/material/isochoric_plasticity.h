@@ -19,7 +19,7 @@ namespace Sandglass
    * Tension beyond the cut-off separates the material: no stress is left until
    * it is as dense as without stress again.
    *
-   * @tparam Cone  has largest_deviator(), gradient() and
+   * @tparam Cone  has largest_deviator(), a DeviatorLimit, gradient() and
    * slope_in_compression(); see CircularCone.
    */
   template <typename Cone>
@@ -106,15 +106,19 @@ namespace Sandglass
       const Number                         p = pressure(stress);
       const SymmetricComponents<n, Number> s = stress + isotropic<n>(p);
       const Number q_squared = Number(1.5) * double_contraction(s, s);
-      const Number q_yield   = cone.largest_deviator(p, s, q_squared);
+      const auto   limit     = cone.largest_deviator(p, s, q_squared);
 
       // The comparison makes a stress that is not a number yield, and spread to
       // all components. Otherwise it would stay unseen in a component that no
       // force feels.
-      const auto   is_separated = p <= Number(smallest_pressure);
-      const auto   is_elastic   = q_squared <= q_yield * q_yield;
+      const auto is_separated = p <= Number(smallest_pressure);
+      const auto is_elastic =
+        q_squared * limit.denominator * limit.denominator <=
+        limit.numerator * limit.numerator;
       const Number ratio =
-        select(is_elastic, Number(1.), q_yield / sqrt(q_squared));
+        select(is_elastic,
+               Number(1.),
+               limit.numerator / (limit.denominator * sqrt(q_squared)));
       for (int c = 0; c < n; ++c)
         {
           const Number normal = c < Component::first_shear ? p : Number(0.);
@@ -174,9 +178,11 @@ namespace Sandglass
     yield_function(const Eigen::Matrix<double, n, 1> &stress) const
     {
       return von_mises_stress(stress) -
-             cone.largest_deviator(pressure(stress),
-                                   deviator(stress),
-                                   squared_von_mises_stress(stress));
+             cone
+               .largest_deviator(pressure(stress),
+                                 deviator(stress),
+                                 squared_von_mises_stress(stress))
+               .value();
     }
 
     /// Derivative of project() with respect to the trial stress.
@@ -188,8 +194,8 @@ namespace Sandglass
       const double q = von_mises_stress(trial_stress);
       if (p <= smallest_pressure && q > 0.)
         return ComponentMatrix<n>::Zero();
-      const SymmetricComponents<n> s       = deviator(trial_stress);
-      const double                 q_yield = cone.largest_deviator(p, s, q * q);
+      const SymmetricComponents<n> s = deviator(trial_stress);
+      const double q_yield = cone.largest_deviator(p, s, q * q).value();
       if (q <= q_yield || q == 0.)
         return ComponentMatrix<n>::Identity();
 

@@ -176,16 +176,18 @@ namespace Sandglass
       const Number at_most      = Number(fast) * p_in_contact;
       const Number viscous      = shear * sqrt(p_in_contact);
 
-      const Number b = at_most + over + viscous;
-      const Number h = at_most * over + at_rest * viscous;
-      const Number new_tau =
-        Number(cohesion) + Number(2.) * h / (b + sqrt(b * b - Number(4.) * h));
+      const Number b     = at_most + over + viscous;
+      const Number h     = at_most * over + at_rest * viscous;
+      const Number twice = b + sqrt(b * b - Number(4.) * h);
 
       // In this order, a stress that is not a number spreads; see
       // IsochoricPlasticity.
       const auto   is_separated = p <= Number(smallest_pressure);
       const auto   is_elastic   = over <= at_rest;
-      const Number ratio        = select(is_elastic, Number(1.), new_tau / tau);
+      const Number ratio =
+        select(is_elastic,
+               Number(1.),
+               (Number(cohesion) * twice + Number(2.) * h) / (twice * tau));
       for (int c = 0; c < n; ++c)
         {
           const Number normal = c < Component::first_shear ? p : Number(0.);
