@@ -117,6 +117,7 @@ def silo_run(silo):
          silo.stress_ratio * SPECIFIC_WEIGHT * silo.height),
         ("Material/Poisson ratio", silo.poisson_ratio),
         ("Material/Internal friction angle", silo.friction_angle),
+        ("Material/Yield cone", "paper"),
         ("Walls/Friction angle", silo.wall_friction_angle),
         ("Particle stage/End time", 0)]
     if silo.has_insert:
