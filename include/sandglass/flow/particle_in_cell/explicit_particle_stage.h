@@ -350,9 +350,9 @@ namespace Sandglass
               parcel.properties[Layout::mass] =
                 unstressed_density * initial_configuration.volume(parcel.id);
               parcel.properties[Layout::density] = unstressed_density;
-              std::copy(law_state.begin(),
-                        law_state.end(),
-                        parcel.properties.begin() + Layout::law_state);
+              std::copy_n(law_state.begin(),
+                          Layout::n_law_numbers,
+                          parcel.properties.begin() + Layout::law_state);
               cloud.insert(parcel);
             }
         }
