@@ -28,7 +28,7 @@ namespace Sandglass
     /// Bisection ends when the bounds are this close.
     constexpr double close_enough = 1.05;
     /// Usual length of a run, in sqrt(D / g) of the scene's outlet.
-    constexpr double usual_end = 10.;
+    constexpr double usual_end = 5.;
 
 
 
@@ -233,7 +233,7 @@ namespace Sandglass
       const bool flows_at_first = results.trials.back().flows;
       while (results.trials.back().flows == flows_at_first)
         {
-          half_width *= flows_at_first ? 0.5 : 1.5;
+          half_width *= flows_at_first ? 0.7 : 1.4;
           if (half_width < narrowest * first_half_width ||
               half_width > 0.95 * parameters.scene.half_width)
             return;
