@@ -11,6 +11,7 @@ from pages import fill_all
 
 import any_silo
 import closed_silos
+import element_tests
 import mass_matrix
 import materials
 import mesh_seeds
@@ -20,9 +21,9 @@ import verification
 import work_precision
 
 STUDIES = {study.NAME: study
-           for study in (any_silo, closed_silos, outlet_sweep, mesh_seeds,
-                         mass_matrix, materials, performance, verification,
-                         work_precision)}
+           for study in (any_silo, closed_silos, element_tests, outlet_sweep,
+                         mesh_seeds, mass_matrix, materials, performance,
+                         verification, work_precision)}
 
 
 def write_csv(name, rows):
