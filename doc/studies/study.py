@@ -18,12 +18,13 @@ import mesh_seeds
 import outlet_sweep
 import performance
 import verification
+import will_it_flow
 import work_precision
 
 STUDIES = {study.NAME: study
            for study in (any_silo, closed_silos, element_tests, outlet_sweep,
                          mesh_seeds, mass_matrix, materials, performance,
-                         verification, work_precision)}
+                         verification, will_it_flow, work_precision)}
 
 
 def write_csv(name, rows):
