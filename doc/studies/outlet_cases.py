@@ -80,7 +80,7 @@ BOTTOMS = (0., 20.)
 FRICTIONS = (25., 35.)
 COHESIONS = (400., 600., 800., 1000.)
 # Bottom, cohesion and cells across the outlet
-REFINED = ((0., 400., 16), (0., 800., 16), (0., 800., 24), (20., 800., 16))
+REFINED = ((0., 400., 16), (0., 800., 16), (20., 800., 16))
 
 
 def arching_cases():
@@ -101,40 +101,32 @@ def mass_flow_limit(friction, wall_friction):
                                    math.radians(wall_friction))
 
 
-WIDE, NARROW = 0.1, 0.06  # radii of cones' outlets, m
-
-
 class Cone(NamedTuple):
     """A round silo with a conical hopper; angles in degrees."""
     wall_friction: float
     half_angle: float  # to the vertical
-    outlet: float = WIDE  # radius, m
 
     FRICTION = 30
-    RADIUS, WALL = 0.3, 0.3  # m
+    OUTLET, RADIUS, WALL = 0.1, 0.3, 0.3  # m
     SIZE = 0.0125  # of squares
     DISPLACEMENT = 0.01  # m, up to which material counts as stagnant
-
-    @property
-    def end_time(self):
-        """About enough for half of the material, s."""
-        return 3. if self.outlet == WIDE else 7.
+    END = 3.  # s, enough for half of the material
 
     @property
     def limit(self):
         return mass_flow_limit(self.FRICTION, self.wall_friction)
 
     def run(self):
-        height = ((self.RADIUS - self.outlet) /
+        height = ((self.RADIUS - self.OUTLET) /
                   math.tan(math.radians(self.half_angle)))
         return study_run(
             NAME, f"cone-{self.wall_friction:g}-{self.half_angle:g}-"
-            f"{self.outlet:g}", SCENE, (
+            f"{self.OUTLET:g}", SCENE, (
                 ("Scene/Formulation", "axisymmetric"),
                 ("Scene/Cell type", "quadrilateral"),
                 ("Scene/Half width", self.RADIUS),
                 ("Scene/Wall height", self.WALL),
-                ("Scene/Outlet half width", self.outlet),
+                ("Scene/Outlet half width", self.OUTLET),
                 ("Scene/Hopper height", short(height)),
                 ("Scene/Fall region depth", 0.2),
                 ("Scene/Element size", self.SIZE),
@@ -144,19 +136,17 @@ class Cone(NamedTuple):
                 ("Material/Yield cone", "Matsuoka-Nakai"),
                 ("Walls/Friction angle", self.wall_friction),
                 ("Walls/Tangential penalty", 1e9),
-                ("Particle stage/End time", self.end_time),
+                ("Particle stage/End time", self.END),
                 ("Particle stage/On lost particle", "remove"),
                 ("Output/Stagnant displacement",
-                 short(self.DISPLACEMENT / (2 * self.outlet)))),
+                 short(self.DISPLACEMENT / (2 * self.OUTLET)))),
             WITHOUT_OUTPUT)
 
 
 CONES = {10.: (20., 30., 40., 45., 50., 55., 60.),
          20.: (10., 20., 25., 30., 35., 40., 50.)}  # wall friction: angles
-NARROW_CONES = {10.: (45., 50., 55.), 20.: (30., 35., 40.)}
 
 
 def cones():
-    return [Cone(wall, angle, outlet)
-            for outlet, angles in ((WIDE, CONES), (NARROW, NARROW_CONES))
-            for wall in angles for angle in angles[wall]]
+    return [Cone(wall, angle) for wall, angles in CONES.items()
+            for angle in angles]

@@ -1,11 +1,8 @@
 """Outlets that arch and conical hoppers with dead zones, beside Jenike's
 limits."""
-import itertools
-
 import run_output
-from outlet_cases import (BOTTOMS, CELLS, CONES, FRICTIONS, NAME, NARROW,
-                          REFINED, WEIGHT, WIDE, Arching, arching_cases, cones,
-                          refined_cases)
+from outlet_cases import (BOTTOMS, CELLS, CONES, FRICTIONS, NAME, REFINED,
+                          WEIGHT, Arching, arching_cases, cones, refined_cases)
 from closed_silos import make_and_time, seconds_file
 from plots import STYLE, plt, save
 from tables import markdown, number
@@ -14,6 +11,7 @@ FIRST, SECOND = 0.25, 0.5  # discharged shares of the material
 ALL_MOVES = 0.005  # largest stagnant share of the material
 TITLES = {0.: "flat", 20.: "hopper of 20°"}
 COLORS = {25.: "#1d3557", 35.: "#c9822a"}
+SHIFTS = {25.: 0., 35.: 0.004}  # of points in the picture, which hide others
 
 
 def make_runs():
@@ -38,7 +36,7 @@ def arching_row(case):
     summary = summary_of(case) or {}
     return {"kind": "outlet", "angle": case.hopper_angle,
             "friction": case.friction, "cohesion_or_wall": case.cohesion,
-            "cells": case.cells, "outlet": None, "first": summary.get("largest_arrested_half_width_m"),
+            "cells": case.cells, "first": summary.get("largest_arrested_half_width_m"),
             "second": summary.get("smallest_flowing_half_width_m"),
             "jenike": summary.get("jenike_outlet_width_m"),
             "rathole": summary.get("jenike_rathole_diameter_m"),
@@ -62,7 +60,7 @@ def cone_row(case):
     return {"kind": "cone", "angle": case.half_angle,
             "friction": float(case.FRICTION),
             "cohesion_or_wall": case.wall_friction,
-            "cells": None, "outlet": case.outlet, "first": stagnant_share(case, FIRST) if is_there else None,
+            "cells": None, "first": stagnant_share(case, FIRST) if is_there else None,
             "second": stagnant_share(case, SECOND) if is_there else None,
             "jenike": case.limit, "rathole": None,
             "seconds": seconds_of(case)}
@@ -101,10 +99,10 @@ def limit(row):
     return None if None in bounds else sum(bounds) / 2
 
 
-def ratios(rows):
+def ratios(rows, is_counted=lambda row: row["cells"] == CELLS):
     """Of the limits found to Jenike's."""
     return [2 * limit(row) / row["jenike"] for row in rows
-            if row["kind"] == "outlet" and row["cells"] == CELLS and
+            if row["kind"] == "outlet" and is_counted(row) and
             limit(row) is not None]
 
 
@@ -114,6 +112,17 @@ def smallest_summary(rows):
         return "not run"
     return (f"{len(found)} of {len(arching_cases())} limits were found; they "
             f"are {min(found):.2f} to {max(found):.2f} times Jenike's.")
+
+
+def refined_ratios(rows):
+    texts = []
+    for bottom in BOTTOMS:
+        found = ratios(rows, lambda row, bottom=bottom:
+                       row["cells"] != CELLS and row["angle"] == bottom)
+        if found:
+            texts.append(f"{min(found):.2f} to {max(found):.2f} "
+                         f"({TITLES[bottom]})")
+    return " and ".join(texts) if texts else "–"
 
 
 def refined_summary(rows):
@@ -149,29 +158,27 @@ def mass_flow(rows):
         if row["kind"] != "cone":
             continue
         moves = verdict(row)
-        lines.append([f"{2e3 * row['outlet']:g}",
-                      f"{row['cohesion_or_wall']:g}°", f"{row['jenike']:.1f}°",
+        lines.append([f"{row['cohesion_or_wall']:g}°", f"{row['jenike']:.1f}°",
                       f"{row['angle']:g}°",
                       "mass" if row["angle"] < row["jenike"] else "funnel",
                       percent(row["first"]), percent(row["second"]),
                       "–" if moves is None else "mass" if moves else "funnel",
                       f"{row['seconds']:.0f}"])
-    return markdown(["outlet, mm", "φ_w", "Jenike's limit", "θ", "Jenike",
+    return markdown(["φ_w", "Jenike's limit", "θ", "Jenike",
                      "stagnant after a quarter, %", "after half, %", "here",
                      "seconds"], lines)
 
 
 def mass_flow_summary(rows):
     texts = []
-    for wall, outlet in itertools.product(CONES, (WIDE, NARROW)):
+    for wall in CONES:
         own = [row for row in rows if row["kind"] == "cone" and
-               (row["cohesion_or_wall"], row["outlet"]) == (wall, outlet) and
-               verdict(row) is not None]
+               row["cohesion_or_wall"] == wall and verdict(row) is not None]
         moving = [row["angle"] for row in own if verdict(row)]
         dead = [row["angle"] for row in own if not verdict(row)]
         if moving and dead:
-            texts.append(f"φ_w = {wall:g}°, outlet {2e3 * outlet:g} mm: all "
-                         f"moves up to {max(moving):g}°, not from "
+            texts.append(f"φ_w = {wall:g}°: all moves "
+                         f"up to {max(moving):g}°, not from "
                          f"{min(dead):g}° on, Jenike "
                          f"{own[0]['jenike']:.1f}°")
     return "; ".join(texts) + "." if texts else "no limit was found"
@@ -180,7 +187,7 @@ def mass_flow_summary(rows):
 def parts(rows):
     return {part.__name__.replace("_", "-"): part(rows)
             for part in (smallest, smallest_summary, refined_summary,
-                         mass_flow, mass_flow_summary)}
+                         refined_ratios, mass_flow, mass_flow_summary)}
 
 
 def trials(case):
@@ -201,8 +208,8 @@ def draw_map(axes, bottom):
                  if (case.hopper_angle, case.friction) == (bottom, friction)]
         for case in cases:
             for width, flows in trials(case):
-                axes.plot(width, case.cohesion / load, "o", color=color,
-                          markersize=5,
+                axes.plot(width, case.cohesion / load + SHIFTS[friction], "o",
+                          color=color, markersize=5,
                           markerfacecolor="none" if flows else color)
         widest = cases[-1].arching_width / Arching.WIDTH
         axes.plot([0, widest], [0, cases[-1].cohesion / load], "--",
