@@ -1,4 +1,5 @@
-"""The runs of the study of element tests, and the measured tests beside them."""
+"""The runs of the study of element tests, and the measured tests beside
+them."""
 import csv
 import math
 from typing import NamedTuple

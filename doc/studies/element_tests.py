@@ -62,7 +62,8 @@ def triaxial_rows(test):
 def law_rows(law, kind):
     summary = summary_of(law_run(law, kind))
     for quantity in ("peak_friction_angle_degrees",
-                     "final_friction_angle_degrees", "final_volumetric_strain"):
+                     "final_friction_angle_degrees",
+                     "final_volumetric_strain"):
         yield {"test": f"{law[0]}, {kind[0]}", "quantity": quantity,
                "at": kind[2], "measured": None, "value": summary[quantity]}
 

@@ -36,7 +36,8 @@ def arching_row(case):
     summary = summary_of(case) or {}
     return {"kind": "outlet", "angle": case.hopper_angle,
             "friction": case.friction, "cohesion_or_wall": case.cohesion,
-            "cells": case.cells, "first": summary.get("largest_arrested_half_width_m"),
+            "cells": case.cells,
+            "first": summary.get("largest_arrested_half_width_m"),
             "second": summary.get("smallest_flowing_half_width_m"),
             "jenike": summary.get("jenike_outlet_width_m"),
             "rathole": summary.get("jenike_rathole_diameter_m"),
@@ -60,7 +61,8 @@ def cone_row(case):
     return {"kind": "cone", "angle": case.half_angle,
             "friction": float(case.FRICTION),
             "cohesion_or_wall": case.wall_friction,
-            "cells": None, "first": stagnant_share(case, FIRST) if is_there else None,
+            "cells": None,
+            "first": stagnant_share(case, FIRST) if is_there else None,
             "second": stagnant_share(case, SECOND) if is_there else None,
             "jenike": case.limit, "rathole": None,
             "seconds": seconds_of(case)}
@@ -88,8 +90,8 @@ def smallest(rows):
             number(row["jenike"] and 500 * row["jenike"], ".1f"), share,
             number(row["rathole"] and 500 * row["rathole"], ".1f"),
             f"{row['seconds']:.0f}"])
-    return markdown(["bottom", "φ", "c, Pa", "cells", "stands at, mm", "flows from, mm",
-                     "Jenike's arching, mm", "ours over it",
+    return markdown(["bottom", "φ", "c, Pa", "cells", "stands at, mm",
+                     "flows from, mm", "Jenike's arching, mm", "ours over it",
                      "Jenike's rathole, mm", "seconds"], lines)
 
 
