@@ -21,6 +21,7 @@ class Run(NamedTuple):
     scene: str  # a file of prm/paper without .prm
     settings: tuple = ()
     output: pathlib.Path = OUTPUT
+    mode: tuple = ()  # arguments that make the program do another thing
 
     @property
     def directory(self):
@@ -78,7 +79,8 @@ def input_text(run):
     """What decides the result besides the program: no comments."""
     lines = (line.split("#")[0].strip()
              for line in run.prm.read_text(encoding="utf-8").splitlines())
-    return "\n".join([line for line in lines if line] + list(run.settings))
+    return "\n".join([line for line in lines if line] + list(run.settings) +
+                     list(run.mode))
 
 
 def is_up_to_date(run):
@@ -95,7 +97,7 @@ def make(run):
     if is_up_to_date(run):
         return
     text = input_text(run)
-    arguments = [str(SANDGLASS), str(run.prm), "--quiet", "-o",
+    arguments = [str(SANDGLASS), *run.mode, str(run.prm), "--quiet", "-o",
                  str(run.directory)]
     for setting in run.settings:
         arguments += ["-s", setting]

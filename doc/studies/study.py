@@ -11,18 +11,20 @@ from pages import fill_all
 
 import any_silo
 import closed_silos
+import element_tests
 import mass_matrix
 import materials
 import mesh_seeds
 import outlet_sweep
 import performance
 import verification
+import will_it_flow
 import work_precision
 
 STUDIES = {study.NAME: study
-           for study in (any_silo, closed_silos, outlet_sweep, mesh_seeds,
-                         mass_matrix, materials, performance, verification,
-                         work_precision)}
+           for study in (any_silo, closed_silos, element_tests, outlet_sweep,
+                         mesh_seeds, mass_matrix, materials, performance,
+                         verification, will_it_flow, work_precision)}
 
 
 def write_csv(name, rows):

@@ -15,11 +15,11 @@ def output_of(study):
     return ROOT / "build" / "study" / study
 
 
-def study_run(study, name, scene, settings, without=()):
+def study_run(study, name, scene, settings, without=(), mode=()):
     """Settings: pairs of a parameter and its value. Without: WITHOUT_FIELDS or
-    WITHOUT_OUTPUT, what the study does not look at."""
+    WITHOUT_OUTPUT, what the study does not look at. Mode: see Run."""
     texts = tuple(f"{parameter}={value}" for parameter, value in settings)
-    return Run(name, scene, texts + without, output_of(study))
+    return Run(name, scene, texts + without, output_of(study), mode)
 
 
 def auto_scene(silo, mesh):
