@@ -89,7 +89,6 @@ namespace Sandglass
   ConvergencePlan
   plan_convergence(Parameters &parameters, const ParameterFile &file)
   {
-    check_flowing_silo(parameters.scene, "convergence");
     parameters.scene.fix_resolution();
     ConvergencePlan plan;
     set_times(parameters, file, plan);

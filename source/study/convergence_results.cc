@@ -1,8 +1,6 @@
-#include <sandglass/output/csv_file.h>
-#include <sandglass/output/json_object.h>
-#include <sandglass/output/replace_file.h>
 #include <sandglass/study/convergence_plot.h>
 #include <sandglass/study/convergence_results.h>
+#include <sandglass/study/silo_study.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,17 +204,11 @@ namespace Sandglass
   void
   write(const ConvergenceResults &results, const std::string &directory)
   {
-    CsvTable<ConvergenceRow> table(directory + "/study.csv",
-                                   convergence_table,
-                                   ConvergenceRow());
-    table.open();
-    for (const ConvergenceRow &row : results.rows())
-      table.add_row(row);
-    table.flush();
-
-    JsonObject json;
-    json.add(convergence_summary_table, results);
-    replace_file(directory + "/summary.json", json.text());
+    write_study(directory,
+                convergence_table,
+                results.rows(),
+                convergence_summary_table,
+                results);
     if (!std::isnan(results.extrapolated().value))
       replace_file(directory + "/study.svg", plot(results));
   }

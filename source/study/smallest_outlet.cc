@@ -1,6 +1,3 @@
-#include <sandglass/output/csv_file.h>
-#include <sandglass/output/json_object.h>
-#include <sandglass/output/replace_file.h>
 #include <sandglass/study/smallest_outlet.h>
 
 #include <algorithm>

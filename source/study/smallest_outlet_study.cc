@@ -1,13 +1,8 @@
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
 #include <sandglass/base/exceptions.h>
 #include <sandglass/base/parameter_entries.h>
-#include <sandglass/output/csv_file.h>
 #include <sandglass/output/jenike.h>
-#include <sandglass/output/json_object.h>
-#include <sandglass/output/output_directory.h>
-#include <sandglass/output/replace_file.h>
 #include <sandglass/study/silo_study.h>
 #include <sandglass/study/smallest_outlet.h>
 
@@ -32,7 +27,7 @@ namespace Sandglass
 
 
 
-    class SmallestOutletStudy
+    class SmallestOutletStudy : public SiloStudy
     {
     public:
       SmallestOutletStudy(Parameters          &parameters,
@@ -40,10 +35,33 @@ namespace Sandglass
                           const ParameterFile &file,
                           const MPI_Comm       communicator);
 
-      void
-      perform();
-
     private:
+      void
+      make_runs() override
+      {
+        find_bounds();
+        bisect();
+      }
+
+      bool
+      has_results() const override
+      {
+        return !results.trials.empty();
+      }
+
+      std::string
+      run_in_words() const override
+      {
+        return "Outlet half width " +
+               short_text(parameters.scene.outlet_half_width);
+      }
+
+      std::string
+      conclusion() const override;
+
+      void
+      write(const std::string &status, const std::string &message) override;
+
       /// Try outlets until one flows and one does not; the results tell.
       void
       find_bounds();
@@ -68,21 +86,10 @@ namespace Sandglass
       void
       set_jenike();
 
-      /// Collective.
-      void
-      write_results(const std::string &status, const std::string &message);
-
-      Parameters          &parameters;
-      const CommandLine   &command_line;
-      const ParameterFile &file;
-      const MPI_Comm       communicator;
-      const std::string    directory;
-      Log                  log;
-      const double         first_half_width;
+      const double first_half_width;
       /// Horizontal over vertical length of the hopper's wall.
       const double   hopper_slope;
       SmallestOutlet results;
-      bool           has_log_file = false;
       /// What the program chooses anew for each outlet, as the user gave it.
       std::vector<std::string> automatic_parameters;
     };
@@ -93,14 +100,11 @@ namespace Sandglass
                                              const CommandLine   &command_line,
                                              const ParameterFile &file,
                                              const MPI_Comm       communicator)
-      : parameters(parameters)
-      , command_line(command_line)
-      , file(file)
-      , communicator(communicator)
-      , directory(parameters.output.directory)
-      , log(communicator,
-            command_line.is_quiet ? Log::Screen::nothing :
-                                    Log::Screen::everything)
+      : SiloStudy(parameters,
+                  command_line,
+                  file,
+                  communicator,
+                  "smallest-outlet")
       , first_half_width(parameters.scene.outlet_half_width)
       , hopper_slope(parameters.scene.hopper_height > 0. ?
                        (parameters.scene.half_width - first_half_width) /
@@ -108,8 +112,7 @@ namespace Sandglass
                        0.)
     {
       const SceneParameters &scene = parameters.scene;
-      check_flowing_silo(scene, "smallest-outlet");
-      const double time =
+      const double           time =
         std::sqrt(2. * first_half_width / scene.gravity_vector<2>().norm());
       if (!file.is_on_command_line("Particle stage", "End time"))
         set_parameter("Particle stage",
@@ -180,14 +183,12 @@ namespace Sandglass
     SmallestOutletStudy::judge(const RunResult &result,
                                const double     half_width) const
     {
-      const double          end    = parameters.particle_stage.end_time;
-      std::array<double, 2> values = {
+      const double                end    = parameters.particle_stage.end_time;
+      const std::array<double, 2> values = shared(std::array<double, 2>{
         {result.discharge.mean(2. / 3. * end, end),
-         std::isnan(result.summary.flow.discharge_time) ? 0. : 1.}};
-      if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-        values = Utilities::MPI::broadcast(communicator, values);
-      const double width = 2. * half_width;
-      const bool   is_ring =
+         std::isnan(result.summary.flow.discharge_time) ? 0. : 1.}});
+      const double                width  = 2. * half_width;
+      const bool                  is_ring =
         parameters.scene.formulation == Formulation::axisymmetric;
       const double free_rate =
         parameters.material.density *
@@ -208,19 +209,16 @@ namespace Sandglass
     SmallestOutletStudy::attempt(const double half_width)
     {
       set_outlet(half_width);
-      const std::string own =
-        directory + "/outlet-half-width-" + short_text(half_width);
-      log.stream() << "Outlet half width " << short_text(half_width)
-                   << " m; in " << own << std::endl;
+      const std::string own = "outlet-half-width-" + short_text(half_width);
+      log.stream() << run_in_words() << " m; in " << directory << '/' << own
+                   << std::endl;
       const std::vector<std::string> warnings =
         results.trials.empty() ? file.warnings() : std::vector<std::string>();
-      const OutletTrial trial = judge(
-        run_variant(parameters, command_line, own, warnings, communicator),
-        half_width);
+      const OutletTrial trial = judge(run_in(own, warnings), half_width);
       results.trials.push_back(trial);
       log.stream() << "  " << (trial.flows ? "flows" : "stands") << ", "
                    << short_text(trial.flow_rate) << " kg/s" << std::endl;
-      write_results("running", "");
+      write_results();
     }
 
 
@@ -264,73 +262,34 @@ namespace Sandglass
 
 
     void
-    SmallestOutletStudy::write_results(const std::string &status,
-                                       const std::string &message)
+    SmallestOutletStudy::write(const std::string &status,
+                               const std::string &message)
     {
       results.status  = status;
       results.message = message;
-      do_and_share_errors(communicator, [this]() {
-        if (Utilities::MPI::this_mpi_process(communicator) != 0)
-          return;
-        // The first run has made the directory.
-        if (!has_log_file)
-          log.open_file(directory + "/sandglass.log", false);
-        has_log_file = true;
-        CsvTable<OutletTrial> table(directory + "/study.csv",
-                                    smallest_outlet_table,
-                                    OutletTrial());
-        table.open();
-        for (const OutletTrial &trial : results.trials)
-          table.add_row(trial);
-        table.flush();
-        JsonObject json;
-        json.add(smallest_outlet_summary_table, results);
-        replace_file(directory + "/summary.json", json.text());
-      });
+      write_study(directory,
+                  smallest_outlet_table,
+                  results.trials,
+                  smallest_outlet_summary_table,
+                  results);
     }
 
 
 
-    void
-    SmallestOutletStudy::perform()
+    std::string
+    SmallestOutletStudy::conclusion() const
     {
-      const auto fail = [this](const std::string &what) {
-        const std::string message =
-          "Outlet half width " +
-          short_text(parameters.scene.outlet_half_width) + ": " + what;
-        write_results("failed", message);
-        log.record_error(message);
-        throw RunError(message);
-      };
-      try
-        {
-          find_bounds();
-          bisect();
-        }
-      catch (const RunError &error)
-        {
-          fail(error.what());
-        }
-      catch (const InputError &error)
-        {
-          // Only the first run has written nothing yet.
-          if (results.trials.empty())
-            throw;
-          fail(error.what());
-        }
-      write_results("finished", "");
       const double smallest = results.smallest_flowing(),
                    largest  = results.largest_arrested();
-      log.stream() << (std::isnan(largest) ?
-                         "The material flows through every outlet tried" :
-                       std::isnan(smallest) ?
-                         "The material stands in every outlet tried" :
-                         "The material flows from a half width of " +
-                           short_text(smallest) + " m, and stands at " +
-                           short_text(largest) + " m")
-                   << "; Jenike's outlet has a width of "
-                   << short_text(results.arching_width) << " m. Results are in "
-                   << directory << std::endl;
+      return (std::isnan(largest) ?
+                "The material flows through every outlet tried" :
+              std::isnan(smallest) ?
+                "The material stands in every outlet tried" :
+                "The material flows from a half width of " +
+                  short_text(smallest) + " m, and stands at " +
+                  short_text(largest) + " m") +
+             "; Jenike's outlet has a width of " +
+             short_text(results.arching_width) + " m. ";
     }
   } // namespace
 

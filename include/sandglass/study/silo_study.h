@@ -1,6 +1,12 @@
 #ifndef sandglass_study_silo_study_h
 #define sandglass_study_silo_study_h
 
+#include <deal.II/base/mpi.h>
+
+#include <sandglass/output/csv_file.h>
+#include <sandglass/output/json_object.h>
+#include <sandglass/output/replace_file.h>
+#include <sandglass/run/parameter_file.h>
 #include <sandglass/run/run.h>
 
 #include <string>
@@ -8,19 +14,110 @@
 
 namespace Sandglass
 {
-  /// Refuse scenes that have no flow rate, or of which the program can't make
-  /// variants; throws InputError.
-  /// @param study  its name on the command line.
-  void
-  check_flowing_silo(const SceneParameters &scene, const std::string &study);
+  /**
+   * Several runs of one silo, each in a directory of its own below that in
+   * which their results together are written, after each of them.
+   */
+  class SiloStudy
+  {
+  public:
+    virtual ~SiloStudy() = default;
 
-  /// One run of a study, in its own directory; only progress on the screen.
-  RunResult
-  run_variant(const Parameters               &parameters,
-              const CommandLine              &command_line,
-              const std::string              &directory,
-              const std::vector<std::string> &warnings,
-              const MPI_Comm                  communicator);
+    /**
+     * Make all runs. Collective. Throws InputError before anything is written,
+     * RunError that names the run which has failed; results before it are kept.
+     */
+    void
+    perform();
+
+  protected:
+    /// Read the input; nothing is written yet. Throws InputError for scenes
+    /// that have no flow rate, or of which the program can't make variants.
+    /// @param name  on the command line.
+    SiloStudy(Parameters          &parameters,
+              const CommandLine   &command_line,
+              const ParameterFile &file,
+              const MPI_Comm       communicator,
+              const std::string   &name);
+
+    /// Make the runs, and call write_results() after each.
+    virtual void
+    make_runs() = 0;
+
+    /// Whether a run has come to its end.
+    virtual bool
+    has_results() const = 0;
+
+    /// The run under way, as messages begin with it.
+    virtual std::string
+    run_in_words() const = 0;
+
+    /// What the study has found, for the screen.
+    virtual std::string
+    conclusion() const = 0;
+
+    /// Write results so far. On one rank.
+    /// @param status,message  see summary.json.
+    virtual void
+    write(const std::string &status, const std::string &message) = 0;
+
+    /// One run of the parameters as they are; only progress on the screen.
+    RunResult
+    run_in(const std::string              &subdirectory,
+           const std::vector<std::string> &warnings) const;
+
+    /// Results so far, and the log beside them. Collective.
+    void
+    write_results();
+
+    /// What is known on rank 0, on every rank. Collective.
+    template <typename Numbers>
+    Numbers
+    shared(const Numbers &numbers) const
+    {
+      if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return numbers;
+      return dealii::Utilities::MPI::broadcast(communicator, numbers);
+    }
+
+    Parameters          &parameters;
+    const CommandLine   &command_line;
+    const ParameterFile &file;
+    const MPI_Comm       communicator;
+    const std::string    directory;
+    Log                  log;
+
+  private:
+    void
+    write_results(const std::string &status, const std::string &message);
+
+    /// Keep the results before the run that has just failed. Collective.
+    [[noreturn]] void
+    fail(const std::string &what);
+
+    bool has_log_file = false;
+  };
+
+  /// Write a study's study.csv and summary.json. On one rank. Throws RunError
+  /// where they can't be written.
+  template <typename Row, typename Results>
+  void
+  write_study(const std::string                  &directory,
+              const std::vector<Column<Row>>     &columns,
+              const std::vector<Row>             &rows,
+              const std::vector<Column<Results>> &keys,
+              const Results                      &results)
+  {
+    CsvTable<Row> table(directory + "/study.csv", columns, Row());
+    table.open();
+    for (const Row &row : rows)
+      table.add_row(row);
+    table.flush();
+
+    JsonObject json;
+    json.add(keys, results);
+    replace_file(directory + "/summary.json", json.text());
+  }
 
   /// A number with three digits, as in names of directories.
   std::string
