@@ -8,7 +8,7 @@
  * an elasticity that grows with pressure, and two variables that it carries
  * along, the void ratio and the sum of the strain increments.
  */
-class VoidRatioLaw
+class VoidRatioLaw : public Sandglass::LawDefaults
 {
 public:
   static constexpr char name[] = "void ratio";
@@ -16,14 +16,7 @@ public:
   static constexpr std::array<Sandglass::StateVariable, 2> state_variables = {
     {{"void ratio", "1", 1}, {"summed strain", "1", 4}}};
 
-  static constexpr std::array<Sandglass::LawConstant, 0> law_constants = {};
-
-  static constexpr bool has_cohesion             = false;
-  static constexpr bool dissipation_can_fall     = false;
-  static constexpr bool can_fail                 = false;
-  static constexpr bool pressure_follows_density = true;
-  static constexpr bool takes_averaged_strain    = true;
-  static constexpr bool has_constant_stiffness   = false;
+  static constexpr bool has_constant_stiffness = false;
 
   static constexpr double initial_void_ratio = 0.8;
   /// Pressure that doubles the stiffness, in Pa.

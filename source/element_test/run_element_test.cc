@@ -94,8 +94,7 @@ namespace Sandglass
                                   parameters.element_test,
                                   parameters.particle_stage.stress_integration);
       log.stream() << banner(communicator) << std::flush;
-      for (const std::string &warning : warnings)
-        log.stream() << "Warning: " << warning << std::endl;
+      log.warn(warnings);
       log.stream() << "Element test: " << results.kind << ", law "
                    << results.law << std::endl;
       prepare_output_directory(parameters.output, false, communicator, log, "");

@@ -1,3 +1,5 @@
+#include <deal.II/base/numbers.h>
+
 #include <sandglass/output/jenike.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -11,7 +13,7 @@ namespace Sandglass
 {
   namespace
   {
-    constexpr double pi   = 3.14159265358979323846;
+    constexpr double pi   = dealii::numbers::PI;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
     /// Mean stress s over gamma r, and the angle psi between the radius and the

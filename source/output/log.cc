@@ -140,6 +140,15 @@ namespace Sandglass
 
 
   void
+  Log::warn(const std::vector<std::string> &warnings)
+  {
+    for (const std::string &warning : warnings)
+      output << "Warning: " << warning << std::endl;
+  }
+
+
+
+  void
   Log::open_file(const std::string &filename, const bool appends)
   {
     if (output.is_active())

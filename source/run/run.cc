@@ -14,15 +14,6 @@ namespace Sandglass
 {
   namespace
   {
-    void
-    warn(Log &log, const std::vector<std::string> &warnings)
-    {
-      for (const std::string &warning : warnings)
-        log.stream() << "Warning: " << warning << std::endl;
-    }
-
-
-
     /// One simulation in a space dimension.
     template <int dim>
     class Simulation
@@ -106,7 +97,7 @@ namespace Sandglass
         make_mesh<dim>(parameters.scene, communicator, &warnings);
       log.stream() << "Mesh: " << result.cells.size() << " cells, "
                    << to_text(parameters.scene.resolution()) << std::endl;
-      warn(log, warnings);
+      log.warn(warnings);
       return result;
     }
 
@@ -239,7 +230,7 @@ namespace Sandglass
     std::optional<RunResult> result;
     if (!only_checks)
       log.stream() << banner(communicator) << std::flush;
-    warn(log, warnings);
+    log.warn(warnings);
     choose(
       AllKinematics(),
       [&parameters](const auto kinematics) {

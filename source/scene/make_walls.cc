@@ -70,27 +70,6 @@ namespace Sandglass
 
 
 
-    /// In degrees.
-    double
-    friction_angle(const std::string &name, const WallParameters &parameters)
-    {
-      const auto own = parameters.friction_angles.find(name);
-      if (own != parameters.friction_angles.end())
-        return own->second[0];
-      if (name == name_of(BoundaryRole::outlet))
-        return friction_angle(std::string(name_of(BoundaryRole::floor)),
-                              parameters);
-      if (name == name_of(BoundaryRole::floor))
-        return parameters.floor_friction_angle.value_or(
-          parameters.friction_angle);
-      if (name == name_of(BoundaryRole::hopper))
-        return parameters.hopper_friction_angle.value_or(
-          parameters.friction_angle);
-      return parameters.friction_angle;
-    }
-
-
-
     template <int dim>
     Tensor<1, dim>
     velocity(const std::string &name, const WallParameters &parameters)
@@ -118,7 +97,7 @@ namespace Sandglass
       return {name,
               role,
               id,
-              std::tan(friction_angle(name, parameters) * numbers::PI / 180.),
+              std::tan(parameters.friction_angle_of(name) * numbers::PI / 180.),
               velocity<dim>(name, parameters)};
     }
 

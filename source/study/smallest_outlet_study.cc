@@ -5,6 +5,7 @@
 #include <sandglass/output/jenike.h>
 #include <sandglass/study/silo_study.h>
 #include <sandglass/study/smallest_outlet.h>
+#include <sandglass/walls/boundary_role.h>
 
 #include <algorithm>
 #include <array>
@@ -141,9 +142,8 @@ namespace Sandglass
     {
       const MaterialParameters &material = parameters.material;
       const double              phi      = friction_angle(material);
-      const double wall_angle = parameters.walls.hopper_friction_angle.value_or(
-                                  parameters.walls.friction_angle) *
-                                numbers::PI / 180.;
+      const double wall_angle = radians(parameters.walls.friction_angle_of(
+        std::string(name_of(BoundaryRole::hopper))));
       const Jenike jenike{parameters.scene.formulation,
                           phi,
                           wall_angle,

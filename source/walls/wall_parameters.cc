@@ -1,6 +1,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/walls/boundary_role.h>
 #include <sandglass/walls/wall_parameters.h>
 
 #include <cmath>
@@ -112,6 +113,23 @@ namespace Sandglass
       "Contact at the node on the edge of the open outlet: that of the floor "
       "or hopper beside it, or none; then particles, not the node, are held "
       "above the wall next to the outlet.");
+  }
+
+
+
+  double
+  WallParameters::friction_angle_of(const std::string &wall) const
+  {
+    const auto own = friction_angles.find(wall);
+    if (own != friction_angles.end())
+      return own->second[0];
+    if (wall == name_of(BoundaryRole::outlet))
+      return friction_angle_of(std::string(name_of(BoundaryRole::floor)));
+    if (wall == name_of(BoundaryRole::floor))
+      return floor_friction_angle.value_or(friction_angle);
+    if (wall == name_of(BoundaryRole::hopper))
+      return hopper_friction_angle.value_or(friction_angle);
+    return friction_angle;
   }
 
 

@@ -14,25 +14,13 @@ namespace Sandglass
    * deformation gradient, a state variable of its own (dienes1979).
    *
    * Stress and strain come turned by Jaumann's rotation; here they are turned
-   * by the rest.
+   * by the rest. The tangent is Jaumann's: within a load step the two differ by
+   * little.
    */
   template <typename Law>
-  class GreenNaghdi : private Law
+  class GreenNaghdi : public Law
   {
   public:
-    static constexpr const char *name          = Law::name;
-    static constexpr const char *description   = Law::description;
-    static constexpr auto       &law_constants = Law::law_constants;
-    static constexpr bool        has_cohesion  = Law::has_cohesion;
-
-    static constexpr bool dissipation_can_fall = Law::dissipation_can_fall;
-    static constexpr bool can_fail             = Law::can_fail;
-    static constexpr bool pressure_follows_density =
-      Law::pressure_follows_density;
-    static constexpr bool takes_averaged_strain = Law::takes_averaged_strain;
-
-    static constexpr bool has_constant_stiffness = Law::has_constant_stiffness;
-
     static constexpr unsigned int n_of_law = n_state_numbers<Law>();
 
     static constexpr auto state_variables = []() {
@@ -43,16 +31,7 @@ namespace Sandglass
       return all;
     }();
 
-    static bool
-    is_meant(const MaterialConstants &constants)
-    {
-      return Law::is_meant(constants);
-    }
-
-    using Law::energy_density;
     using Law::Law;
-    using Law::loosest_density_share;
-    using Law::stiffness_bound;
 
     /// The law's own, and F = 1 row by row.
     std::array<double, n_of_law + 4>
@@ -102,17 +81,6 @@ namespace Sandglass
       return Law::correct(stress,
                           state,
                           Law::predict(increment, time_step_of(prediction)));
-    }
-
-    /// Jaumann's: within a load step the two differ by little.
-    template <typename State, typename Increment>
-    MaterialTangent<4>
-    tangent(const Eigen::Matrix<double, 4, 1> &stress,
-            const State                       &state,
-            const Increment                   &increment,
-            const double                       elastic_share) const
-    {
-      return Law::tangent(stress, state, increment, elastic_share);
     }
 
   private:

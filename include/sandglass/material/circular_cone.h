@@ -48,6 +48,12 @@ namespace Sandglass
 
     CircularCone() = default;
 
+    /// @param strength  in Pa.
+    CircularCone(const double slope, const double strength)
+      : slope(slope)
+      , strength(strength)
+    {}
+
     /**
      * @param angle           see slope_per_sine().
      * @param friction_angle  phi in rad.

@@ -5,9 +5,8 @@
 #include <sandglass/material/elasticity.h>
 #include <sandglass/material/hypoplastic_bound.h>
 #include <sandglass/material/hypoplastic_steps.h>
-#include <sandglass/material/law_constant.h>
+#include <sandglass/material/law_defaults.h>
 #include <sandglass/material/numerical_tangent.h>
-#include <sandglass/material/state_variable.h>
 
 #include <algorithm>
 #include <array>
@@ -35,7 +34,7 @@ namespace Sandglass
    * least p_t of pressure.
    */
   template <typename Law>
-  class Hypoplastic
+  class Hypoplastic : public LawDefaults
   {
   public:
     static constexpr std::array<StateVariable, 1> state_variables = {
@@ -44,13 +43,9 @@ namespace Sandglass
     /// Stiffness grows with stress.
     static constexpr bool has_constant_stiffness = false;
 
-    static constexpr bool has_cohesion = false;
-
     /// Without an elastic energy; see correct().
     static constexpr bool dissipation_can_fall     = true;
-    static constexpr bool can_fail                 = false;
     static constexpr bool pressure_follows_density = false;
-    static constexpr bool takes_averaged_strain    = true;
 
     static bool
     is_meant(const MaterialConstants &constants)
@@ -138,17 +133,14 @@ namespace Sandglass
       const Elasticity elastic = stiffness_bound(end, after);
       const double     share   = pressure(end) > 0. ? elastic_share : 1.;
 
-      MaterialTangent<n> tangent =
-        numerical_tangent(law(),
-                          stress,
-                          state,
-                          increment,
-                          relative_difference * stress_scale(stress));
-      tangent.by_stress = (1. - share) * tangent.by_stress +
-                          share * ComponentMatrix<n>::Identity();
-      tangent.by_strain = (1. - share) * tangent.by_strain +
-                          share * elastic.template stiffness<n>();
-      return tangent;
+      return with_elastic_share(numerical_tangent(law(),
+                                                  stress,
+                                                  state,
+                                                  increment,
+                                                  relative_difference *
+                                                    stress_scale(stress)),
+                                elastic,
+                                share);
     }
 
     /// An isotropic elasticity that unstressed material is nowhere stiffer
@@ -186,16 +178,16 @@ namespace Sandglass
     const double initial_void_ratio; ///< of unstressed material
 
   protected:
-    /**
-     * For laws that know no limits of the void ratio: density, as a share of
-     * that of unstressed material, below which grains don't touch. The loosest
-     * skeleton that pressure can hold together has about 1.2 times the void
-     * ratio of loosely filled material (Herle and Gudehus 1999).
-     */
-    double
-    loosest_density_share_without_limits() const
+    /// The constant p_t, which each law has.
+    static constexpr LawConstant
+    small_pressure_constant(const double default_value)
     {
-      return (1. + initial_void_ratio) / (1. + 1.2 * initial_void_ratio);
+      return {"p_t",
+              "Pa",
+              default_value,
+              1e-3,
+              1e5,
+              "small pressure whose stiffness material without stress has"};
     }
 
   private:

@@ -3,8 +3,7 @@
 
 #include <sandglass/continuum/material_tangent.h>
 #include <sandglass/material/elasticity.h>
-#include <sandglass/material/law_constant.h>
-#include <sandglass/material/state_variable.h>
+#include <sandglass/material/law_defaults.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,22 +22,10 @@ namespace Sandglass
    * slope_in_compression(); see CircularCone.
    */
   template <typename Cone>
-  class IsochoricPlasticity
+  class IsochoricPlasticity : public LawDefaults
   {
   public:
-    static constexpr std::array<StateVariable, 0> state_variables = {};
-    static constexpr std::array<LawConstant, 0>   law_constants   = {};
-
     static constexpr bool has_cohesion = true;
-
-    // CONTRIBUTING.md says what these mean.
-    static constexpr bool dissipation_can_fall     = false;
-    static constexpr bool can_fail                 = false;
-    static constexpr bool pressure_follows_density = true;
-    static constexpr bool takes_averaged_strain    = true;
-
-    /// Whether stiffness_bound() is the same for all states.
-    static constexpr bool has_constant_stiffness = true;
 
     /// @param largest_tension  the cut-off of -p, in Pa, at least 0.
     IsochoricPlasticity(const Elasticity &elasticity,
@@ -108,10 +95,6 @@ namespace Sandglass
       const Number q_squared = Number(1.5) * double_contraction(s, s);
       const auto   limit     = cone.largest_deviator(p, s, q_squared);
 
-      // The comparison makes a stress that is not a number yield, and spread to
-      // all components. Otherwise it would stay unseen in a component that no
-      // force feels.
-      const auto is_separated = p <= Number(smallest_pressure);
       const auto is_elastic =
         q_squared * limit.denominator * limit.denominator <=
         limit.numerator * limit.numerator;
@@ -119,6 +102,31 @@ namespace Sandglass
         select(is_elastic,
                Number(1.),
                limit.numerator / (limit.denominator * sqrt(q_squared)));
+      return shrink(stress, p, s, q_squared, is_elastic, ratio);
+    }
+
+    /**
+     * Shrink the deviator of a trial stress, or take all stress away where
+     * tension is beyond the cut-off.
+     *
+     * @param[in,out] stress  the trial stress; p, s and q_squared are its own.
+     * @param is_elastic  where it stays as it is. A comparison that holds for
+     * no stress that is not a number makes this one yield, and spread to all
+     * components. Otherwise it would stay unseen in a component that no force
+     * feels.
+     * @param ratio  of the deviators; 1 where is_elastic.
+     * @return as correct().
+     */
+    template <int n, typename Number, typename Mask>
+    Number
+    shrink(Eigen::Matrix<Number, n, 1>          &stress,
+           const Number                         &p,
+           const SymmetricComponents<n, Number> &s,
+           const Number                         &q_squared,
+           const Mask                           &is_elastic,
+           const Number                         &ratio) const
+    {
+      const auto is_separated = p <= Number(smallest_pressure);
       for (int c = 0; c < n; ++c)
         {
           const Number normal = c < Component::first_shear ? p : Number(0.);

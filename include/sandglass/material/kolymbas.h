@@ -1,7 +1,7 @@
 #ifndef sandglass_material_kolymbas_h
 #define sandglass_material_kolymbas_h
 
-#include <sandglass/material/hypoplastic.h>
+#include <sandglass/material/proportional_hypoplasticity.h>
 
 #include <cmath>
 
@@ -13,11 +13,8 @@ namespace Sandglass
    *
    *   C_1 (sigma D + D sigma) / 2 + C_2 (sigma : D) 1 +
    *   (C_3 sigma + C_4 sigma^2 / tr(sigma)) ||D||.
-   *
-   * It is proportional to stress; the void ratio is carried along without
-   * effect.
    */
-  class Kolymbas : public Hypoplastic<Kolymbas>
+  class Kolymbas : public ProportionalHypoplasticity<Kolymbas>
   {
   public:
     /// Value of the parameter Material/Model.
@@ -37,27 +34,9 @@ namespace Sandglass
        {"C_2", "1", -129.214, -1e5, 0., "factor of (sigma : D) 1"},
        {"C_3", "1", -31.171, -1e5, 1e5, "factor of sigma ||D||"},
        {"C_4", "1", -275.903, -1e5, 1e5, "factor of sigma^2 ||D||"},
-       {"p_t",
-        "Pa",
-        100.,
-        1e-3,
-        1e5,
-        "small pressure whose stiffness material without stress has"}}};
+       small_pressure_constant(100.)}};
 
-    explicit Kolymbas(const MaterialConstants &constants)
-      : Hypoplastic<Kolymbas>(constants)
-      , C_1(law_constant<Kolymbas>(constants, "C_1"))
-      , C_2(law_constant<Kolymbas>(constants, "C_2"))
-      , C_3(law_constant<Kolymbas>(constants, "C_3"))
-      , C_4(law_constant<Kolymbas>(constants, "C_4"))
-    {}
-
-    /// See loosest_density_share_without_limits().
-    double
-    loosest_density_share() const
-    {
-      return loosest_density_share_without_limits();
-    }
+    using ProportionalHypoplasticity::ProportionalHypoplasticity;
 
     /// As VonWolffersdorff's.
     template <int n, typename Number>
@@ -89,9 +68,6 @@ namespace Sandglass
       bound.add_nonlinear<n>(C_3 * stress + C_4 / tr * squared(stress));
       return bound.elasticity();
     }
-
-  private:
-    const double C_1, C_2, C_3, C_4;
   };
 } // namespace Sandglass
 

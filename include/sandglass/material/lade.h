@@ -4,9 +4,8 @@
 #include <sandglass/continuum/material_tangent.h>
 #include <sandglass/material/lade_integration.h>
 #include <sandglass/material/lane_by_lane.h>
-#include <sandglass/material/law_constant.h>
+#include <sandglass/material/law_defaults.h>
 #include <sandglass/material/numerical_tangent.h>
-#include <sandglass/material/state_variable.h>
 
 namespace Sandglass
 {
@@ -20,7 +19,7 @@ namespace Sandglass
    * after the peak, which his tests end soon after: there the strength stays,
    * and the volumetric flow fades, as in a critical state.
    */
-  class Lade
+  class Lade : public LawDefaults
   {
   public:
     static constexpr char name[] = "Lade";
@@ -35,7 +34,7 @@ namespace Sandglass
     static constexpr bool has_constant_stiffness = false;
 
     /// Defaults: Lade's for loose Sacramento River sand (void ratio 0.87); the
-    /// last five are ours.
+    /// last six are ours.
     static constexpr std::array<LawConstant, 19> law_constants = {
       {{"K_ur", "1", 960., 1., 1e5, "modulus number of unloading"},
        {"n", "1", 0.57, 0., 0.99, "exponent of the modulus"},
@@ -83,9 +82,6 @@ namespace Sandglass
         1e-1,
         "relative error of the stress in one substep"}}};
 
-    static constexpr bool has_cohesion             = false;
-    static constexpr bool dissipation_can_fall     = false;
-    static constexpr bool can_fail                 = false;
     static constexpr bool pressure_follows_density = false;
     static constexpr bool takes_averaged_strain    = false;
 
@@ -152,16 +148,12 @@ namespace Sandglass
             const Increment                   &increment,
             const double                       elastic_share) const
     {
-      const auto elasticity = stiffness_bound(stress, state);
-      const auto derivative =
-        numerical_tangent(*this, stress, state, increment);
       // A node all of whose cells are separated must not have an equation of
       // zeros.
-      const double share = std::max(1e-3, elastic_share);
-      return {(1. - share) * derivative.by_stress +
-                share * ComponentMatrix<n>::Identity(),
-              (1. - share) * derivative.by_strain +
-                share * elasticity.template stiffness<n>()};
+      return with_elastic_share(
+        numerical_tangent(*this, stress, state, increment),
+        stiffness_bound(stress, state),
+        std::max(1e-3, elastic_share));
     }
 
     /// Of unstressed material.

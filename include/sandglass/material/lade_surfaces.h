@@ -1,7 +1,7 @@
 #ifndef sandglass_material_lade_surfaces_h
 #define sandglass_material_lade_surfaces_h
 
-#include <sandglass/continuum/symmetric_components.h>
+#include <sandglass/continuum/symmetric_products.h>
 #include <sandglass/material/elasticity.h>
 
 #include <Eigen/Eigenvalues>
@@ -102,13 +102,6 @@ namespace Sandglass
       s[0] * s[1] - s[3] * s[3], s[4] * s[5] - s[3] * s[2],
       s[3] * s[5] - s[0] * s[4], s[3] * s[4] - s[5] * s[1];
     return result;
-  }
-
-  template <int n>
-  double
-  determinant(const Eigen::Matrix<double, n, 1> &s)
-  {
-    return double_contraction(s, cofactors(s)) / 3.;
   }
 
   /**

@@ -48,11 +48,17 @@ namespace Sandglass
     unsigned int        n_umat_state_variables = 0;
   };
 
+  inline double
+  radians(const double degrees)
+  {
+    return degrees * 3.14159265358979323846 / 180.;
+  }
+
   /// The angle of internal friction in rad.
   inline double
   friction_angle(const MaterialConstants &constants)
   {
-    return constants.internal_friction_angle * 3.14159265358979323846 / 180.;
+    return radians(constants.internal_friction_angle);
   }
 } // namespace Sandglass
 

@@ -1,6 +1,7 @@
 #ifndef sandglass_material_matsuoka_nakai_cone_h
 #define sandglass_material_matsuoka_nakai_cone_h
 
+#include <sandglass/continuum/symmetric_products.h>
 #include <sandglass/material/circular_cone.h>
 
 #include <algorithm>
@@ -97,7 +98,7 @@ namespace Sandglass
       // dt of t = per_invariant J3 J2^(-3/2), then 4 c^3 - 3 c = t.
       const double           t_scale = per_invariant / std::pow(J2, 1.5);
       SymmetricComponents<n> t_gradient =
-        t_scale * (square(deviator) - isotropic<n>(2. / 3. * J2) -
+        t_scale * (squared(deviator) - isotropic<n>(2. / 3. * J2) -
                    1.5 * determinant(deviator) / J2 * deviator);
       for (int c = Component::first_shear; c < n; ++c)
         t_gradient[c] *= 2.;
@@ -134,41 +135,6 @@ namespace Sandglass
       const Number half_square = Number(0.5) * (Number(1.) + cosine);
       return cosine_of_two_thirds(
         sqrt(select(half_square > Number(0.), half_square, Number(0.))));
-    }
-
-    /// J3
-    template <int n, typename Number>
-    static Number
-    determinant(const Eigen::Matrix<Number, n, 1> &s)
-    {
-      const Number in_plane = s[0] * s[1] - s[3] * s[3];
-      if constexpr (n == 4)
-        return s[2] * in_plane;
-      else
-        return s[2] * in_plane + Number(2.) * s[3] * s[4] * s[5] -
-               s[0] * s[4] * s[4] - s[1] * s[5] * s[5];
-    }
-
-    /// The tensor's product with itself.
-    template <int n>
-    static SymmetricComponents<n>
-    square(const Eigen::Matrix<double, n, 1> &s)
-    {
-      SymmetricComponents<n> result;
-      result[0] = s[0] * s[0] + s[3] * s[3];
-      result[1] = s[1] * s[1] + s[3] * s[3];
-      result[2] = s[2] * s[2];
-      result[3] = s[3] * (s[0] + s[1]);
-      if constexpr (n == 6)
-        {
-          result[0] += s[5] * s[5];
-          result[1] += s[4] * s[4];
-          result[2] += s[4] * s[4] + s[5] * s[5];
-          result[3] += s[5] * s[4];
-          result[4] = s[3] * s[5] + s[4] * (s[1] + s[2]);
-          result[5] = s[3] * s[4] + s[5] * (s[0] + s[2]);
-        }
-      return result;
     }
 
     double per_invariant  = 0.; ///< cos(alpha) / (J3 / J2^(3/2))

@@ -14,15 +14,13 @@ namespace Sandglass
    * flow keeps the volume; the return to the stress at the end of a step has a
    * closed form (dunatunga2015).
    */
-  class MuI
+  class MuI : public IsochoricPlasticity<CircularCone>
   {
   public:
     static constexpr char name[] = "mu(I)";
     static constexpr char description[] =
       "friction that grows with the rate of shear, incompressible plastic flow "
       "(mu(I))";
-
-    static constexpr std::array<StateVariable, 0> state_variables = {};
 
     /// Defaults: glass beads (jop2006) of 1 mm.
     static constexpr std::array<LawConstant, 4> law_constants = {
@@ -37,13 +35,6 @@ namespace Sandglass
        {"d", "m", 1e-3, 0., 1e3, "diameter of the grains"},
        {"rho_s", "kg/m^3", 2500., 1e-3, 1e6, "density of the grains"}}};
 
-    static constexpr bool has_cohesion             = true;
-    static constexpr bool dissipation_can_fall     = false;
-    static constexpr bool can_fail                 = false;
-    static constexpr bool pressure_follows_density = true;
-    static constexpr bool takes_averaged_strain    = true;
-    static constexpr bool has_constant_stiffness   = true;
-
     static bool
     is_meant(const MaterialConstants &constants)
     {
@@ -51,12 +42,14 @@ namespace Sandglass
     }
 
     explicit MuI(const MaterialConstants &constants)
-      : elasticity(constants.young_modulus, constants.poisson_ratio)
+      : IsochoricPlasticity(
+          Elasticity(constants.young_modulus, constants.poisson_ratio),
+          CircularCone(std::sqrt(3.) * std::tan(friction_angle(constants)),
+                       std::sqrt(3.) * constants.cohesion),
+          largest_tension(friction_angle(constants), constants.cohesion))
       , slow(std::tan(friction_angle(constants)))
-      , fast(std::tan(law_constant<MuI>(constants, "phi_2") * pi / 180.))
+      , fast(std::tan(radians(law_constant<MuI>(constants, "phi_2"))))
       , cohesion(constants.cohesion)
-      , smallest_pressure(
-          -largest_tension(friction_angle(constants), constants.cohesion))
       , shear_per_step(elasticity.shear_modulus *
                        law_constant<MuI>(constants, "I_0") /
                        (std::max(law_constant<MuI>(constants, "d"), 1e-12) *
@@ -68,18 +61,6 @@ namespace Sandglass
                          "phi_2",
                          "allowed is an angle not below the internal friction "
                          "angle");
-    }
-
-    std::array<double, 0>
-    initial_state() const
-    {
-      return {};
-    }
-
-    double
-    loosest_density_share() const
-    {
-      return std::exp(smallest_pressure / elasticity.bulk_modulus());
     }
 
     /// The elastic change of stress in Pa, and what the root of p is multiplied
@@ -114,41 +95,7 @@ namespace Sandglass
       return project(stress, Number(prediction[n]));
     }
 
-    /// See IsochoricPlasticity::tangent(); material at rest shears infinitely
-    /// slowly.
-    template <int n, typename State, typename Increment>
-    MaterialTangent<n>
-    tangent(const Eigen::Matrix<double, n, 1> &stress,
-            const State                       &state,
-            const Increment                   &increment,
-            const double                       elastic_share) const
-    {
-      CircularCone cone;
-      cone.slope    = std::sqrt(3.) * slow;
-      cone.strength = std::sqrt(3.) * cohesion;
-      return IsochoricPlasticity<CircularCone>(elasticity,
-                                               cone,
-                                               -smallest_pressure)
-        .tangent(stress, state, increment, elastic_share);
-    }
-
-    Elasticity
-    stiffness_bound() const
-    {
-      return elasticity;
-    }
-
-    template <int n, typename Number, typename State>
-    Number
-    energy_density(const Eigen::Matrix<Number, n, 1> &stress,
-                   const State &) const
-    {
-      return elasticity.energy_density(stress);
-    }
-
   private:
-    static constexpr double pi = 3.14159265358979323846;
-
     /// A load step of the state at rest takes no time, but is infinitely slow.
     double
     shear_in(const double time_step) const
@@ -169,7 +116,8 @@ namespace Sandglass
       using std::sqrt;
       const Number                         p = pressure(stress);
       const SymmetricComponents<n, Number> s = stress + isotropic<n>(p);
-      const Number tau          = sqrt(Number(0.5) * double_contraction(s, s));
+      const Number q_squared    = Number(1.5) * double_contraction(s, s);
+      const Number tau          = sqrt(Number(1. / 3.) * q_squared);
       const Number over         = tau - Number(cohesion);
       const Number p_in_contact = select(p > Number(0.), p, Number(0.));
       const Number at_rest      = Number(slow) * p_in_contact;
@@ -180,33 +128,17 @@ namespace Sandglass
       const Number h     = at_most * over + at_rest * viscous;
       const Number twice = b + sqrt(b * b - Number(4.) * h);
 
-      // In this order, a stress that is not a number spreads; see
-      // IsochoricPlasticity.
-      const auto   is_separated = p <= Number(smallest_pressure);
-      const auto   is_elastic   = over <= at_rest;
+      const auto   is_elastic = over <= at_rest;
       const Number ratio =
         select(is_elastic,
                Number(1.),
                (Number(cohesion) * twice + Number(2.) * h) / (twice * tau));
-      for (int c = 0; c < n; ++c)
-        {
-          const Number normal = c < Component::first_shear ? p : Number(0.);
-          stress[c] =
-            select(is_separated,
-                   Number(0.),
-                   select(is_elastic, stress[c], ratio * s[c] - normal));
-        }
-      return select(is_separated,
-                    Number(0.),
-                    ratio * (Number(1.) - ratio) * tau * tau *
-                      Number(1. / elasticity.shear_modulus));
+      return shrink(stress, p, s, q_squared, is_elastic, ratio);
     }
 
-    const Elasticity elasticity;
-    const double     slow;     ///< mu_s
-    const double     fast;     ///< mu_2
-    const double     cohesion; ///< in Pa
-    const double     smallest_pressure;
+    const double slow;     ///< mu_s
+    const double fast;     ///< mu_2
+    const double cohesion; ///< in Pa
     /// G I_0 / (d sqrt(rho_s)), in Pa^(1/2) / s
     const double shear_per_step;
   };

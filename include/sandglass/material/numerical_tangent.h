@@ -2,6 +2,7 @@
 #define sandglass_material_numerical_tangent_h
 
 #include <sandglass/continuum/material_tangent.h>
+#include <sandglass/material/elasticity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,19 @@ namespace Sandglass
                  std::max(stress.cwiseAbs().maxCoeff(),
                           modulus * increment.strain.cwiseAbs().maxCoeff()));
     return numerical_tangent(law, stress, state, increment, step);
+  }
+  /// A tangent with a share of an elasticity's, as Newton's method wants it
+  /// where the derivative is zero or doesn't exist.
+  template <int n>
+  MaterialTangent<n>
+  with_elastic_share(const MaterialTangent<n> &tangent,
+                     const Elasticity         &elasticity,
+                     const double              share)
+  {
+    return {(1. - share) * tangent.by_stress +
+              share * ComponentMatrix<n>::Identity(),
+            (1. - share) * tangent.by_strain +
+              share * elasticity.template stiffness<n>()};
   }
 } // namespace Sandglass
 

@@ -5,11 +5,10 @@
 #include <sandglass/continuum/material_tangent.h>
 #include <sandglass/material/elasticity.h>
 #include <sandglass/material/lane_by_lane.h>
-#include <sandglass/material/law_constant.h>
+#include <sandglass/material/law_defaults.h>
 #include <sandglass/material/law_failure.h>
 #include <sandglass/material/numerical_tangent.h>
 #include <sandglass/material/rotation_increment.h>
-#include <sandglass/material/state_variable.h>
 #include <sandglass/material/umat_library.h>
 
 #include <algorithm>
@@ -25,7 +24,7 @@ namespace Sandglass
    * The stress that it gets has been turned by the step's rotation already.
    * State variables that are tensors it turns itself, by DROT.
    */
-  class Umat
+  class Umat : public LawDefaults
   {
   public:
     static constexpr char name[] = "UMAT";
@@ -38,18 +37,10 @@ namespace Sandglass
     static constexpr std::array<StateVariable, 1> state_variables = {
       {{"UMAT state", "1", max_state_variables}}};
 
-    static constexpr std::array<LawConstant, 0> law_constants = {};
-
-    /// Nothing is known of how stiff it is but what the user says.
-    static constexpr bool has_constant_stiffness = true;
-
-    static constexpr bool has_cohesion         = false;
-    static constexpr bool dissipation_can_fall = true;
-
-    /// Whether correct() may throw LawFailure.
+    // All that is not known of it.
+    static constexpr bool dissipation_can_fall     = true;
     static constexpr bool can_fail                 = true;
     static constexpr bool pressure_follows_density = false;
-    static constexpr bool takes_averaged_strain    = true;
 
     static bool
     is_meant(const MaterialConstants &constants)
@@ -157,11 +148,7 @@ namespace Sandglass
         !std::all_of(call.stress.begin(), call.stress.end(), is_zero);
       const double share =
         is_stressed ? elastic_share : std::max(1e-3, elastic_share);
-      result.by_stress = (1. - share) * result.by_stress +
-                         share * ComponentMatrix<n>::Identity();
-      result.by_strain = (1. - share) * result.by_strain +
-                         share * elasticity.template stiffness<n>();
-      return result;
+      return with_elastic_share(result, elasticity, share);
     }
 
     /// What the user gives as Young's modulus and Poisson's ratio: an

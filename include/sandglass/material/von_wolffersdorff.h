@@ -38,12 +38,7 @@ namespace Sandglass
        {"e_i0", "1", 1.212, 0.01, 10., "loosest void ratio without pressure"},
        {"alpha", "1", 0.14, 0.01, 2., "exponent of density in the strength"},
        {"beta", "1", 2.5, 0., 10., "exponent of density in the stiffness"},
-       {"p_t",
-        "Pa",
-        10.,
-        1e-3,
-        1e5,
-        "small pressure whose stiffness material without stress has"}}};
+       small_pressure_constant(10.)}};
 
     explicit VonWolffersdorff(const MaterialConstants &constants)
       : Hypoplastic<VonWolffersdorff>(constants)
@@ -142,7 +137,7 @@ namespace Sandglass
     static double
     strength_factor(const double degrees)
     {
-      const double sine = std::sin(degrees * 3.14159265358979323846 / 180.);
+      const double sine = std::sin(radians(degrees));
       return std::sqrt(3.) * (3. - sine) / (2. * std::sqrt(2.) * sine);
     }
 

@@ -1,7 +1,7 @@
 #ifndef sandglass_material_wu_bauer_h
 #define sandglass_material_wu_bauer_h
 
-#include <sandglass/material/hypoplastic.h>
+#include <sandglass/material/proportional_hypoplasticity.h>
 
 #include <cmath>
 
@@ -14,11 +14,8 @@ namespace Sandglass
    *
    *   C_1 tr(sigma) D + C_2 (sigma : D) / tr(sigma) sigma +
    *   (C_3 sigma^2 + C_4 sigma*^2) ||D|| / tr(sigma).
-   *
-   * It is proportional to stress; the void ratio is carried along without
-   * effect.
    */
-  class WuBauer : public Hypoplastic<WuBauer>
+  class WuBauer : public ProportionalHypoplasticity<WuBauer>
   {
   public:
     /// Value of the parameter Material/Model.
@@ -36,27 +33,9 @@ namespace Sandglass
        {"C_2", "1", -629.6, -1e5, 0., "factor of (sigma : D) sigma"},
        {"C_3", "1", -629.6, -1e5, 1e5, "factor of sigma^2 ||D||"},
        {"C_4", "1", 1220.8, -1e5, 1e5, "factor of sigma*^2 ||D||"},
-       {"p_t",
-        "Pa",
-        100.,
-        1e-3,
-        1e5,
-        "small pressure whose stiffness material without stress has"}}};
+       small_pressure_constant(100.)}};
 
-    explicit WuBauer(const MaterialConstants &constants)
-      : Hypoplastic<WuBauer>(constants)
-      , C_1(law_constant<WuBauer>(constants, "C_1"))
-      , C_2(law_constant<WuBauer>(constants, "C_2"))
-      , C_3(law_constant<WuBauer>(constants, "C_3"))
-      , C_4(law_constant<WuBauer>(constants, "C_4"))
-    {}
-
-    /// See loosest_density_share_without_limits().
-    double
-    loosest_density_share() const
-    {
-      return loosest_density_share_without_limits();
-    }
+    using ProportionalHypoplasticity::ProportionalHypoplasticity;
 
     /// As VonWolffersdorff's.
     template <int n, typename Number>
@@ -93,9 +72,6 @@ namespace Sandglass
       bound.add_nonlinear<n>(tr * (C_3 * squared(s) + C_4 * squared(s_star)));
       return bound.elasticity();
     }
-
-  private:
-    const double C_1, C_2, C_3, C_4;
   };
 } // namespace Sandglass
 

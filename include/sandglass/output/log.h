@@ -6,6 +6,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace Sandglass
 {
@@ -33,6 +34,10 @@ namespace Sandglass
     {
       return output;
     }
+
+    /// A line for each.
+    void
+    warn(const std::vector<std::string> &warnings);
 
     /// Keep a copy in a file from now on, and of what was written so far.
     void

@@ -51,6 +51,11 @@ namespace Sandglass
     bool      fix_bottom_corner = true;
     OutletLip outlet_lip        = OutletLip::free;
 
+    /// Of the wall of this name, in degrees: its own, its part's, or that of
+    /// all walls.
+    double
+    friction_angle_of(const std::string &wall) const;
+
     /// Of the box's front and back.
     double
     box_friction_coefficient() const;
