@@ -86,6 +86,7 @@ def silo_run(index, silo, refinement):
                 ("Scene/Element size", "auto"),
                 ("Scene/Refinement", refinement),
                 ("Material/Internal friction angle", silo.internal_friction),
+                ("Material/Yield cone", "paper"),
                 ("Material/Young modulus", young_modulus),
                 ("Material/Poisson ratio", silo.poisson_ratio),
                 ("Walls/Friction angle", silo.wall_friction),

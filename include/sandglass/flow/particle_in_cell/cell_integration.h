@@ -69,7 +69,7 @@ namespace Sandglass
     double
     volume(const unsigned int cell, const Sums &sums) const
     {
-      const double of_particles = sums.values[Sums::dense_volume];
+      const double of_particles = sums.values[Sums::stiff_volume];
       return volumes.empty() ? of_particles :
                                of_particles + filling(cell, of_particles) *
                                                 (volumes[cell] - of_particles);
@@ -80,7 +80,7 @@ namespace Sandglass
     force(const unsigned int cell, const Sums &sums) const
     {
       OfNodes      result       = sums.internal_force(geometry.shape(cell));
-      const double of_particles = sums.values[Sums::dense_volume];
+      const double of_particles = sums.values[Sums::stiff_volume];
       if (volumes.empty() || !(of_particles > 0.))
         return result;
 
@@ -130,7 +130,7 @@ namespace Sandglass
                 const OfNodes     &velocities) const
     {
       RateChange change;
-      if (volumes.empty() || !(sums.values[Sums::dense_volume] > 0.))
+      if (volumes.empty() || !(sums.values[Sums::stiff_volume] > 0.))
         return change;
       const Weights weights = exchange(cell, sums, 1.);
       if constexpr (!Setting::has_constant_gradients) // or there is none
@@ -166,7 +166,7 @@ namespace Sandglass
              const Sums        &sums,
              const double       factor) const
     {
-      const double   w         = filling(cell, sums.values[Sums::dense_volume]);
+      const double   w         = filling(cell, sums.values[Sums::stiff_volume]);
       const Weights &of_filled = weights_of_filled[cell];
       Weights        result    = weights(cell, sums.mean_point());
       for (unsigned int i = 0; i < n_nodes; ++i)

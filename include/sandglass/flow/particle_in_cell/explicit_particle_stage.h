@@ -47,13 +47,16 @@ namespace Sandglass
       , unstressed_density(density)
       , law(make_law(geometry))
       , nodal_sums(geometry,
-                   law->loosest_density(),
+                   CellStiffness<Setting>::stiff_share *
+                     (law->smallest_stressed_density() > 0. ?
+                        law->smallest_stressed_density() :
+                        density),
                    parameters.force_integration == ForceIntegration::cell ?
                      initial_configuration.points :
                      std::vector<Point<dim>>())
       , volumetric_average(*scene.nodes,
                            geometry,
-                           law->loosest_density(),
+                           law->smallest_stressed_density(),
                            parameters.volumetric_strain ==
                                VolumetricStrain::averaged &&
                              law->takes_averaged_strain)
@@ -61,7 +64,7 @@ namespace Sandglass
       , splitting(geometry,
                   initial_configuration,
                   density,
-                  law->loosest_density(),
+                  volumetric_average.smallest_density,
                   parameters.split_particles == SplitParticles::where_needed &&
                     needs_splitting(scene.mesh, initial_configuration))
       , box(*scene.nodes, geometry, walls)
@@ -182,7 +185,7 @@ namespace Sandglass
     for_each_sums(const Function &function)
     {
       function(nodal_sums.cells);
-      if (volumetric_average.cells)
+      if (volumetric_average.is_on)
         function(*volumetric_average.cells);
     }
 
@@ -236,7 +239,7 @@ namespace Sandglass
           packed.insert(packed.end(), values.begin(), values.end());
         };
         pack(nodal_sums.cells);
-        if (volumetric_average.cells)
+        if (volumetric_average.is_on)
           pack(*volumetric_average.cells);
         if (!law->has_constant_stiffness)
           {

@@ -24,7 +24,9 @@ namespace Sandglass
       : Base(Law::has_constant_stiffness,
              Law::dissipation_can_fall,
              Law::takes_averaged_strain)
-      , stress_update(Law(constants), constants.density, parameters)
+      , stress_update(Law(constants),
+                      constants.density,
+                      parameters.density_update)
       , integration(parameters.stress_integration)
       , geometry(geometry)
     {}
@@ -82,9 +84,9 @@ namespace Sandglass
     }
 
     double
-    loosest_density() const override
+    smallest_stressed_density() const override
     {
-      return stress_update.loosest_density;
+      return stress_update.smallest_stressed_density;
     }
 
   private:

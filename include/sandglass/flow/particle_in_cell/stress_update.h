@@ -22,23 +22,21 @@ namespace Sandglass
    * The paper's density, rho / J, falls without bound where material separates
    * again and again, because the stress there returns to zero while the volume
    * keeps growing. With DensityUpdate::separation it may fall, but a particle
-   * less dense than loosest_density() carries no stress until it is compacted
-   * again (after Dunatunga and Kamrin 2015).
+   * less dense than the unstressed material carries no stress until it is
+   * compacted again (Dunatunga and Kamrin 2015).
    */
   template <typename Law>
   class StressUpdate
   {
   public:
     /// @param unstressed_density  in kg/m^3
-    StressUpdate(const Law                     &law,
-                 const double                   unstressed_density,
-                 const ParticleStageParameters &parameters)
+    StressUpdate(const Law          &law,
+                 const double        unstressed_density,
+                 const DensityUpdate density_update)
       : law(law)
-      , loosest_density(law.loosest_density_share() * unstressed_density *
-                        (Law::knows_density ? 1. : parameters.loosest_density))
-      , smallest_stressed_density(parameters.density_update ==
-                                      DensityUpdate::separation ?
-                                    loosest_density :
+      , smallest_stressed_density(density_update == DensityUpdate::separation ?
+                                    law.loosest_density_share() *
+                                      unstressed_density :
                                     0.)
     {}
 
@@ -65,12 +63,7 @@ namespace Sandglass
       return select(is_separated, Number(0.), dissipation);
     }
 
-    const Law law;
-
-    /// In kg/m^3; particles without stress that are less dense are separated.
-    const double loosest_density;
-
-  private:
+    const Law    law;
     const double smallest_stressed_density; ///< in kg/m^3
   };
 } // namespace Sandglass

@@ -12,10 +12,10 @@ using namespace Sandglass;
 namespace
 {
   template <typename Setting>
-  class AveragedRateTest : public testing::Test
+  class LoosenedRateTest : public testing::Test
   {};
 
-  TYPED_TEST_SUITE(AveragedRateTest, AllSettings);
+  TYPED_TEST_SUITE(LoosenedRateTest, AllSettings);
 
 
 
@@ -30,8 +30,8 @@ namespace
                    const Geometry              &geometry,
                    const std::vector<Point<2>> &points = {})
       : fixture(fixture)
-      , sums(geometry, smallest_density, points)
-      , rates(*fixture.scene->nodes, geometry, smallest_density, true)
+      , sums(geometry, 0.95 * fixture.material.density, points)
+      , rates(*fixture.scene->nodes, geometry, fixture.material.density, true)
     {}
 
     void
@@ -39,14 +39,12 @@ namespace
     {
       const auto &blocks = fixture.stage->particles().blocks();
       sums.cells.compute(blocks);
-      if (rates.cells)
-        rates.cells->compute(blocks);
+      rates.cells->compute(blocks);
       rates.compute(blocks, sums, velocity);
     }
 
-    const StageFixture &fixture;
-    const double        smallest_density = 0.95 * fixture.material.density;
-    NodalSums<Setting>  sums;
+    const StageFixture        &fixture;
+    NodalSums<Setting>         sums;
     VolumetricAverage<Setting> rates;
   };
 } // namespace
@@ -54,7 +52,7 @@ namespace
 
 
 // In distorted cells, by the force integration of the particles and the cell.
-TYPED_TEST(AveragedRateTest, OfAUniformRateIsThatRate)
+TYPED_TEST(LoosenedRateTest, OfAUniformRateIsThatRate)
 {
   constexpr double a = 0.3, b = -0.1; // 1/s
   StageFixture     fixture;
@@ -67,7 +65,7 @@ TYPED_TEST(AveragedRateTest, OfAUniformRateIsThatRate)
   const auto  &stage   = fixture.start(rectangle.mesh());
   const double density = fixture.material.density;
 
-  // From separated to dense.
+  // From separated to stressed.
   auto                                   engine = random_engine();
   std::uniform_real_distribution<double> uniform;
   fixture.change_particles([&](auto, const auto &, auto state) {
@@ -90,8 +88,53 @@ TYPED_TEST(AveragedRateTest, OfAUniformRateIsThatRate)
                   std::vector<Point<2>>());
       average.compute(velocity);
       for (const auto &cell : stage.particles().owned_cells())
-        EXPECT_NEAR(average.rates.rate(cell->active_cell_index()) / expected,
+        EXPECT_NEAR(average.rates.rate_of_loosened(cell->active_cell_index()) /
+                      expected,
                     1.,
                     1e-11);
+    }
+}
+
+
+
+// The same flow at a pressure below and above ten times rho v^2, and at none.
+TYPED_TEST(LoosenedRateTest, IsTakenWherePressureIsLowBesideInertia)
+{
+  constexpr double speed = 2.; // m/s
+  StageFixture     fixture;
+  fixture.formulation = TypeParam::Kinematics::formulation;
+  Rectangle rectangle;
+  rectangle.cell_type   = TypeParam::cell_type;
+  const auto  &stage    = fixture.start(rectangle.mesh());
+  const double density  = fixture.material.density;
+  const auto   velocity = fixture.at_nodes([&](const Point<2> &) {
+    return Tensor<1, 2>({0., speed});
+  });
+  const CellGeometry<TypeParam::cell_type> geometry(*fixture.scene);
+
+  for (const double ratio : {0., 9.9, 10.1})
+    {
+      fixture.change_particles([&](const auto id, const auto &, auto state) {
+        const bool is_loosened      = id % 2 == 0;
+        state[StageLayout::density] = density * (is_loosened ? 0.99 : 1.01);
+        for (const int c : {Component::xx, Component::yy, Component::zz})
+          state[StageLayout::stress + c] = -ratio * density * speed * speed;
+      });
+      AverageOfCells<TypeParam> average(fixture, geometry);
+      average.compute(velocity);
+      for (const auto &cell : stage.particles().owned_cells())
+        EXPECT_EQ(average.rates.has_loosened(cell->active_cell_index(),
+                                             average.sums),
+                  ratio < 10.)
+          << "pressure over rho v^2 " << ratio;
+
+      // Where all have loosened each keeps its own rate.
+      fixture.change_particles([&](auto, const auto &, auto state) {
+        state[StageLayout::density] = 0.99 * density;
+      });
+      average.compute(velocity);
+      for (const auto &cell : stage.particles().owned_cells())
+        EXPECT_FALSE(
+          average.rates.has_loosened(cell->active_cell_index(), average.sums));
     }
 }
