@@ -81,12 +81,12 @@ namespace RezoningTest
     return mesh_outlines({outline}, {size}, order).mesh;
   }
 
-  using Function = std::function<double(const Point<2> &)>;
+  using ScalarFunction = std::function<double(const Point<2> &)>;
 
   /// Functions' values at points.
   inline Field
-  values_at(const std::vector<Point<2>> &points,
-            const std::vector<Function> &functions)
+  values_at(const std::vector<Point<2>>       &points,
+            const std::vector<ScalarFunction> &functions)
   {
     Field field = Field::zero(functions.size(), points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
@@ -116,10 +116,10 @@ namespace RezoningTest
 
   /// Material with given fields. Density 1000 (1 + x^2/10) kg/m^3.
   inline MeshState
-  make_state(const TriangleMesh          &mesh,
-             const Quadrature<2>         &quadrature,
-             const std::vector<Function> &velocity,
-             const std::vector<Function> &point_fields)
+  make_state(const TriangleMesh                &mesh,
+             const Quadrature<2>               &quadrature,
+             const std::vector<ScalarFunction> &velocity,
+             const std::vector<ScalarFunction> &point_fields)
   {
     const auto points = quadrature_positions(mesh, quadrature);
     MeshState  state;

@@ -170,6 +170,40 @@ TEST(RezoningOutlines, BodiesThatTouchInACorner)
 
 
 
+// A hole that touches the lower side of a square: one loop runs round both,
+// and they touch in the new mesh, too.
+TEST(RezoningOutlines, ABodyThatTouchesItself)
+{
+  TriangleMesh mesh;
+  mesh.order = 1;
+  mesh.nodes = {
+    {0., 0.}, {1., 0.}, {2., 0.}, {2., 2.}, {0., 2.}, {1.5, 1.}, {0.5, 1.}};
+  mesh.cells = {{{0, 1, 6}},
+                {{1, 2, 5}},
+                {{2, 3, 5}},
+                {{3, 4, 6}},
+                {{3, 6, 5}},
+                {{4, 0, 6}}};
+  find_boundary(mesh, [](unsigned int, unsigned int) {
+    return TriangleMesh::free_surface;
+  });
+  CornerRule rule;
+  rule.largest_turn   = 3.; // no corners of its own
+  const auto outlines = find_outlines(mesh, rule);
+  ASSERT_EQ(outlines.size(), 1);
+  EXPECT_TRUE(outlines[0].holes.empty());
+  EXPECT_EQ(outlines[0].outside.size(), 8);
+  EXPECT_EQ(n_corners(outlines[0].outside), 2);
+  EXPECT_NEAR(outlines[0].area(), 3.5, 1e-14);
+
+  const auto result =
+    mesh_outlines(find_outlines(mesh, CornerRule()), {0.3}, 2);
+  EXPECT_NEAR(area_of(result.mesh), 3.5, 1e-13);
+  EXPECT_EQ(find_outlines(result.mesh, CornerRule())[0].holes.size(), 0);
+}
+
+
+
 // The corner of a wall in the middle of an edge becomes a node of the new mesh,
 // and one that is farther away doesn't.
 TEST(RezoningOutlines, FixedPointsStay)

@@ -11,7 +11,7 @@ using namespace RezoningTest;
 
 namespace
 {
-  const std::vector<Function> polynomials = {
+  const std::vector<ScalarFunction> polynomials = {
     [](const Point<2> &) { return 3.; },
     [](const Point<2> &p) { return 1. + 2. * p[0] - 3. * p[1]; },
     [](const Point<2> &p) {
@@ -74,7 +74,7 @@ TEST(RezoningTransfer, PointsAreFound)
         }
       const Point<2> p        = position_in_cell(mesh, cell, Point<2>(x, y));
       const Location location = locator.find(p, 0);
-      EXPECT_GE(location.depth, -1e-12);
+      EXPECT_GE(location.smallest_coordinate, -1e-12);
       EXPECT_EQ(location.distance, 0.);
       EXPECT_LT(p.distance(position_in_cell(mesh,
                                             location.cell,
@@ -199,10 +199,10 @@ TEST(RezoningTransfer, PointPolynomialsAreKept)
 // margin's share of it.
 TEST(RezoningTransfer, JumpsAreNotOvershot)
 {
-  const QGaussSimplex<2>      quadrature(2);
-  const auto                  old_mesh = mesh_of(square(), 0.1);
-  const auto                  new_mesh = mesh_of(square(), 0.08);
-  const std::vector<Function> jump     = {
+  const QGaussSimplex<2>            quadrature(2);
+  const auto                        old_mesh = mesh_of(square(), 0.1);
+  const auto                        new_mesh = mesh_of(square(), 0.08);
+  const std::vector<ScalarFunction> jump     = {
         [](const Point<2> &p) { return p[0] + p[1] / 2. > 0.7 ? 5. : 2.; }};
   const auto field =
     values_at(quadrature_positions(old_mesh, quadrature), jump);
@@ -259,11 +259,11 @@ TEST(RezoningTransfer, ValuesAreAdmissible)
 // nodes as of points, in the mean.
 TEST(RezoningTransfer, ThereAndBackConverges)
 {
-  const QGaussSimplex<2>      quadrature(2);
-  const std::vector<Function> waves = {[](const Point<2> &p) {
+  const QGaussSimplex<2>            quadrature(2);
+  const std::vector<ScalarFunction> waves = {[](const Point<2> &p) {
     return std::sin(4. * p[0]) * std::cos(3. * p[1] + 0.3);
   }};
-  std::vector<double>         nodal_errors, point_errors;
+  std::vector<double>               nodal_errors, point_errors;
   for (const double size : {0.1, 0.05, 0.025})
     {
       const auto  first  = mesh_of(square(), size);

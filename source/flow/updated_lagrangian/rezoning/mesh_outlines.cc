@@ -1,3 +1,5 @@
+#include <deal.II/base/exceptions.h>
+
 #include <sandglass/base/exceptions.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/divide_loop.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/element_quality.h>

@@ -120,6 +120,25 @@ namespace Sandglass
       for (const Point<2> &point : rule.fixed_points)
         keep_point(loop, point, rule.tolerance);
     }
+
+
+
+    /// Where the boundary touches itself in a node, it has to stay there, lest
+    /// new edges cross.
+    void
+    mark_contacts(std::vector<std::pair<unsigned int, BoundaryLoop>> &loops)
+    {
+      std::map<std::pair<double, double>, BoundaryPiece *> piece_at;
+      for (auto &[body, loop] : loops)
+        for (BoundaryPiece &piece : loop)
+          {
+            const Point<2> &start = piece.curve[0];
+            const auto [known, is_new] =
+              piece_at.emplace(std::make_pair(start[0], start[1]), &piece);
+            if (!is_new)
+              piece.starts_at_corner = known->second->starts_at_corner = true;
+          }
+    }
   } // namespace
 
 
@@ -139,9 +158,12 @@ namespace Sandglass
   find_outlines(const TriangleMesh &mesh, const CornerRule &rule)
   {
     std::vector<BodyOutline> outlines(mesh.n_bodies());
-    for (auto &[body, loop] : LoopFinder(mesh).find())
+    auto                     loops = LoopFinder(mesh).find();
+    for (auto &[body, loop] : loops)
+      mark_corners(loop, rule);
+    mark_contacts(loops);
+    for (auto &[body, loop] : loops)
       {
-        mark_corners(loop, rule);
         if (enclosed_area(loop) < 0.)
           outlines[body].holes.push_back(std::move(loop));
         else if (outlines[body].outside.empty())

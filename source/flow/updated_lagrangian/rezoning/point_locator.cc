@@ -14,10 +14,10 @@ namespace Sandglass
   {
     /// Barycentric coordinate down to which a point outside is evaluated in
     /// the cell.
-    constexpr double lowest_depth = -0.1;
+    constexpr double lowest_coordinate = -0.1;
 
     double
-    depth_of(const Point<2> &reference_point)
+    smallest_coordinate_of(const Point<2> &reference_point)
     {
       return std::min({reference_point[0],
                        reference_point[1],
@@ -92,7 +92,8 @@ namespace Sandglass
         include(Point<2>(2. * Tensor<1, 2>(middle) -
                          (start + Tensor<1, 2>(end)) / 2.));
       }
-    const double margin = -2. * lowest_depth * (box.upper - box.lower).norm();
+    const double margin =
+      -2. * lowest_coordinate * (box.upper - box.lower).norm();
     for (unsigned int d = 0; d < 2; ++d)
       {
         box.lower[d] -= margin;
@@ -144,11 +145,11 @@ namespace Sandglass
 
 
   bool
-  PointLocator::find_deepest(const Point<2>    &p,
-                             const unsigned int body,
-                             Location          &location) const
+  PointLocator::find_best(const Point<2>    &p,
+                          const unsigned int body,
+                          Location          &location) const
   {
-    location.depth = -std::numeric_limits<double>::max();
+    location.smallest_coordinate = -std::numeric_limits<double>::max();
     for (const unsigned int cell :
          cells_in_bin[bin(p[0], 0) + n_bins[0] * bin(p[1], 1)])
       {
@@ -161,11 +162,11 @@ namespace Sandglass
         Point<2> reference_point;
         if (!invert(p, cell, reference_point))
           continue;
-        const double depth = depth_of(reference_point);
-        if (depth > location.depth)
-          location = {cell, reference_point, depth, 0.};
+        const double smallest = smallest_coordinate_of(reference_point);
+        if (smallest > location.smallest_coordinate)
+          location = {cell, reference_point, smallest, 0.};
       }
-    return location.depth > -std::numeric_limits<double>::max();
+    return location.smallest_coordinate > -std::numeric_limits<double>::max();
   }
 
 
@@ -174,8 +175,8 @@ namespace Sandglass
   PointLocator::find(const Point<2> &p, const unsigned int body) const
   {
     Location   inside{};
-    const bool is_found = find_deepest(p, body, inside);
-    if (is_found && inside.depth >= lowest_depth)
+    const bool is_found = find_best(p, body, inside);
+    if (is_found && inside.smallest_coordinate >= lowest_coordinate)
       return inside;
 
     const auto [index, distance]   = nearest_edge(p, body);
@@ -185,8 +186,8 @@ namespace Sandglass
         // Where cells have turned over, a point inside may lie in none of them:
         // then the nearest cell is better than the boundary.
         inside.reference_point = nearest_in_triangle(inside.reference_point);
-        inside.depth           = 0.;
-        inside.distance        = p.distance(
+        inside.smallest_coordinate = 0.;
+        inside.distance            = p.distance(
           position_in_cell(mesh, inside.cell, inside.reference_point));
         if (inside.distance < distance)
           return inside;
@@ -202,8 +203,8 @@ namespace Sandglass
   bool
   PointLocator::find_inside(const Point<2> &p, Location &location) const
   {
-    return find_deepest(p, numbers::invalid_unsigned_int, location) &&
-           location.depth >= -1e-12;
+    return find_best(p, numbers::invalid_unsigned_int, location) &&
+           location.smallest_coordinate >= -1e-12;
   }
 
 

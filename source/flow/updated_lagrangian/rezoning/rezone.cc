@@ -1,3 +1,5 @@
+#include <deal.II/base/exceptions.h>
+
 #include <sandglass/flow/updated_lagrangian/rezoning/mesh_outlines.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/nodal_transfer.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/patch_recovery.h>
@@ -40,6 +42,8 @@ namespace Sandglass
       const auto locations =
         locate_points(locator, result.state.mesh, options.quadrature);
       const auto map = [&](const Field &field, const Admissible &admissible) {
+        if (field.n_components == 0)
+          return field;
         const PatchRecovery recovery(old.mesh,
                                      options.quadrature,
                                      field,
@@ -63,6 +67,7 @@ namespace Sandglass
   Rezoned
   rezone(const MeshState &old, const RezoningOptions &options)
   {
+    Assert(!old.mesh.cells.empty(), ExcMessage("There is no material."));
     Rezoned    result;
     MeshState &state = result.state;
     const auto new_mesh =

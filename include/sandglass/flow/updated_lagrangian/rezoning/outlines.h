@@ -38,9 +38,9 @@ namespace Sandglass
    * in a node, the loops follow the material.
    *
    * Corners are where the direction turns by more than the rule allows, where
-   * the mark changes, and at fixed points; a piece that runs through a fixed
-   * point is divided there. Throws RunError for a mesh whose bodies enclose no
-   * area.
+   * the mark changes, where boundaries touch, and at fixed points; a piece that
+   * runs through a fixed point is divided there. Throws RunError for a mesh
+   * whose bodies enclose no area.
    */
   std::vector<BodyOutline>
   find_outlines(const TriangleMesh &mesh, const CornerRule &rule);

@@ -12,8 +12,9 @@ namespace Sandglass
   {
     unsigned int cell;
     Point<2>     reference_point;
-    /// Smallest barycentric coordinate: negative outside of the cell.
-    double depth;
+    /// The smallest of the barycentric coordinates, negative outside of the
+    /// cell.
+    double smallest_coordinate;
     /// How far in m the point lay from the body, if it had to be projected.
     double distance = 0.;
   };
@@ -23,10 +24,10 @@ namespace Sandglass
    *
    * A point is looked for in all cells whose bounding boxes hold it, by
    * Newton's method for the inverse of the cell's mapping; of several cells the
-   * one counts in which it lies deepest. A point outside of its body by less
-   * than a tenth of a cell is evaluated there, so that polynomials are
-   * continued; one farther away is projected to the nearest point of the
-   * body's boundary.
+   * one counts in which its smallest barycentric coordinate is largest. A point
+   * outside of its body by less than a tenth of a cell is evaluated there, so
+   * that polynomials are continued; one farther away is projected to the
+   * nearest point of the body's boundary.
    *
    * The mesh has to outlive this.
    */
@@ -68,12 +69,13 @@ namespace Sandglass
     unsigned int
     bin(const double coordinate, const unsigned int direction) const;
 
-    /// The location in the cell where the point lies deepest. Cells of other
-    /// bodies are left out, unless `body` is invalid_unsigned_int.
+    /// The location in the cell that counts. Cells of other bodies are left
+    /// out, unless `body` is invalid_unsigned_int. Returns whether there is
+    /// one.
     bool
-    find_deepest(const Point<2>    &p,
-                 const unsigned int body,
-                 Location          &location) const;
+    find_best(const Point<2>    &p,
+              const unsigned int body,
+              Location          &location) const;
 
     const TriangleMesh &mesh;
     /// Of each cell, with the margin in which points are looked for.

@@ -34,7 +34,9 @@ namespace Sandglass
    * Values of a recovered field at the new points.
    *
    * Where they are not admissible, they are moved towards the mean of the old
-   * cell's values, as little as suffices. @param is_admissible may be empty.
+   * cell's values, as little as suffices.
+   *
+   * @param is_admissible  may be empty: then all values are.
    */
   TransferredPoints
   transfer_point_field(const PatchRecovery         &recovery,

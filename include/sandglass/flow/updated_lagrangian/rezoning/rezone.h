@@ -57,7 +57,8 @@ namespace Sandglass
    * Nodal fields are interpolated, fields at quadrature points recovered by
    * patches. Then each body's mass is restored by its density, and its momentum
    * by its velocity. Stress is not in equilibrium afterwards, nor does it obey
-   * the yield condition. Throws RunError where a body can't be meshed.
+   * the yield condition. There has to be at least one body. Throws RunError
+   * where one can't be meshed.
    */
   Rezoned
   rezone(const MeshState &old, const RezoningOptions &options);

@@ -20,7 +20,8 @@ namespace Sandglass
     unsigned int n_nodes        = 0; ///< of the new mesh
     unsigned int n_straightened = 0; ///< boundary edges, see NewMesh
     unsigned int n_limited      = 0; ///< quadrature points, see PatchRecovery
-    /// Nodes outside of the old mesh, and the farthest one's distance in m.
+    /// Nodes so far outside of the old mesh that they were projected (see
+    /// PointLocator), and the farthest one's distance in m.
     unsigned int n_projected = 0;
     double       farthest    = 0.;
 
