@@ -63,18 +63,21 @@ namespace Sandglass
     WorstElement worst;
     for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
       {
+        const double ratio = jacobian_ratio(mesh, cell);
         keep_if_worse(worst,
                       mesh,
                       cell,
                       ElementFault::jacobian,
-                      jacobian_ratio(mesh, cell),
+                      ratio,
                       criterion.smallest_jacobian_ratio);
-        keep_if_worse(worst,
-                      mesh,
-                      cell,
-                      ElementFault::angle,
-                      smallest_angle(mesh, cell),
-                      criterion.smallest_angle);
+        // Angles of what has turned over say nothing.
+        if (ratio > 0.)
+          keep_if_worse(worst,
+                        mesh,
+                        cell,
+                        ElementFault::angle,
+                        smallest_angle(mesh, cell),
+                        criterion.smallest_angle);
       }
     check_rigid_corners(worst, mesh, criterion);
     return worst;
