@@ -29,6 +29,17 @@ namespace
                                 locate_nodes(locator, new_mesh));
   }
 
+  /// The largest error of the functions at the new nodes.
+  double
+  nodal_error(const TriangleMesh                &old_mesh,
+              const TriangleMesh                &new_mesh,
+              const std::vector<ScalarFunction> &functions)
+  {
+    return largest_difference(
+      transfer_nodes(old_mesh, new_mesh, values_at(old_mesh.nodes, functions)),
+      values_at(new_mesh.nodes, functions));
+  }
+
   TransferredPoints
   transfer_points(const TriangleMesh  &old_mesh,
                   const TriangleMesh  &new_mesh,
@@ -120,12 +131,7 @@ TEST(RezoningTransfer, NodalPolynomialsAreKept)
       const auto  new_mesh = mesh_of(square(), 0.07, order);
       std::vector functions(polynomials.begin(),
                             polynomials.begin() + 1 + order);
-      EXPECT_LT(largest_difference(transfer_nodes(old_mesh,
-                                                  new_mesh,
-                                                  values_at(old_mesh.nodes,
-                                                            functions)),
-                                   values_at(new_mesh.nodes, functions)),
-                1e-13);
+      EXPECT_LT(nodal_error(old_mesh, new_mesh, functions), 1e-13);
     }
 }
 
@@ -140,12 +146,7 @@ TEST(RezoningTransfer, LinearFieldsAreKeptInADisc)
   const auto        new_mesh =
     mesh_outlines(find_outlines(old_mesh, CornerRule()), {0.13}, 2).mesh;
   const std::vector functions(polynomials.begin(), polynomials.begin() + 2);
-  EXPECT_LT(largest_difference(transfer_nodes(old_mesh,
-                                              new_mesh,
-                                              values_at(old_mesh.nodes,
-                                                        functions)),
-                               values_at(new_mesh.nodes, functions)),
-            1e-12);
+  EXPECT_LT(nodal_error(old_mesh, new_mesh, functions), 1e-12);
 }
 
 

@@ -65,11 +65,9 @@ namespace Sandglass
           {
             const std::size_t i    = cell * quadrature.size() + q;
             const double      mass = density[i] * volumes[i];
-            const auto   shapes = shape_values(mesh.order, quadrature.point(q));
-            Tensor<1, 2> v;
-            for (unsigned int n = 0; n < mesh.n_nodes_per_cell(); ++n)
-              for (unsigned int d = 0; d < 2; ++d)
-                v[d] += shapes[n] * velocity.at(mesh.cells[cell][n])[d];
+            Tensor<1, 2>      v;
+            evaluate_in_cell(
+              mesh, velocity, cell, quadrature.point(q), v.begin_raw());
             body.mass += mass;
             body.momentum += mass * v;
             body.kinetic_energy += mass * v.norm_square() / 2.;
@@ -103,20 +101,15 @@ namespace Sandglass
                    const std::array<bool, 2>     &is_restored,
                    Field                         &velocity)
   {
-    std::vector<bool> is_done(mesh.nodes.size(), false);
-    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-      for (unsigned int i = 0; i < mesh.n_nodes_per_cell(); ++i)
-        {
-          const unsigned int node = mesh.cells[cell][i];
-          if (is_done[node])
-            continue;
-          is_done[node]           = true;
-          const unsigned int body = mesh.bodies[cell];
-          for (unsigned int d = 0; d < 2; ++d)
-            if (is_restored[d])
-              velocity.at(node)[d] +=
-                (wanted[body].momentum[d] - actual[body].momentum[d]) /
-                actual[body].mass;
-        }
+    const auto bodies = bodies_of_nodes(mesh);
+    for (unsigned int node = 0; node < bodies.size(); ++node)
+      for (unsigned int d = 0; d < 2; ++d)
+        if (is_restored[d] && bodies[node] != numbers::invalid_unsigned_int)
+          {
+            const unsigned int body = bodies[node];
+            velocity.at(node)[d] +=
+              (wanted[body].momentum[d] - actual[body].momentum[d]) /
+              actual[body].mass;
+          }
   }
 } // namespace Sandglass

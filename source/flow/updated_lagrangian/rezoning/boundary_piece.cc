@@ -36,6 +36,16 @@ namespace Sandglass
 
 
 
+  Point<2>
+  bezier_corner(const QuadraticCurve &curve)
+  {
+    const auto &[start, end, middle] = curve;
+    return Point<2>(2. * Tensor<1, 2>(middle) -
+                    (start + Tensor<1, 2>(end)) / 2.);
+  }
+
+
+
   double
   nearest_on_curve(const QuadraticCurve &curve, const Point<2> &p)
   {

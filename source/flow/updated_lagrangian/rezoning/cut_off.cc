@@ -1,5 +1,6 @@
 #include <deal.II/base/exceptions.h>
 
+#include <sandglass/flow/updated_lagrangian/rezoning/boundary_piece.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/cut_off.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/triangle_element.h>
 
@@ -19,10 +20,8 @@ namespace Sandglass
     {
       for (unsigned int edge = 0; edge < 3; ++edge)
         {
-          const auto [start, end, middle] = mesh.edge_points(cell, edge);
-          // The Bezier polygon bounds the curve.
-          const double bound = 2. * middle[1] - (start[1] + end[1]) / 2.;
-          if (start[1] > level || bound > level)
+          const QuadraticCurve curve = mesh.edge_points(cell, edge);
+          if (curve[0][1] > level || bezier_corner(curve)[1] > level)
             return false;
         }
       return true;
@@ -64,8 +63,7 @@ namespace Sandglass
       const auto          areas_of_cells = cell_areas(mesh);
       for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
         {
-          const double edge =
-            size.at(position_in_cell(mesh, cell, Point<2>(1. / 3., 1. / 3.)));
+          const double       edge = size.at(middle_of_cell(mesh, cell));
           const unsigned int body = mesh.bodies[cell];
           areas[body] += areas_of_cells[cell];
           smallest[body] =

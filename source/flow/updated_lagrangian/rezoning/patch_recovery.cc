@@ -160,10 +160,10 @@ namespace Sandglass
   bool
   PatchRecovery::evaluate(const Location &location, double *values) const
   {
-    const unsigned int          cell     = location.cell;
-    const Point<2>             &r        = location.reference_point;
-    const Point<2>              position = position_in_cell(mesh, cell, r);
-    const std::array<double, 3> shares   = {{1. - r[0] - r[1], r[0], r[1]}};
+    const unsigned int cell     = location.cell;
+    const Point<2>    &r        = location.reference_point;
+    const Point<2>     position = position_in_cell(mesh, cell, r);
+    const auto         shares   = shape_values(1, r); // barycentric coordinates
 
     std::fill_n(values, field.n_components, 0.);
     for (unsigned int v = 0; v < 3; ++v)

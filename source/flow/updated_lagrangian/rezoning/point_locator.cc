@@ -86,11 +86,9 @@ namespace Sandglass
     };
     for (unsigned int edge = 0; edge < 3; ++edge)
       {
-        const auto [start, end, middle] = mesh.edge_points(cell, edge);
-        include(start);
-        // The Bezier polygon's corner bounds the curve.
-        include(Point<2>(2. * Tensor<1, 2>(middle) -
-                         (start + Tensor<1, 2>(end)) / 2.));
+        const QuadraticCurve curve = mesh.edge_points(cell, edge);
+        include(curve[0]);
+        include(bezier_corner(curve));
       }
     const double margin =
       -2. * lowest_coordinate * (box.upper - box.lower).norm();

@@ -36,11 +36,9 @@ namespace Sandglass
                 const Quadrature<2> &quadrature)
   {
     std::vector<Location> locations;
-    for (unsigned int cell = 0; cell < new_mesh.cells.size(); ++cell)
-      for (const Point<2> &point : quadrature.get_points())
-        locations.push_back(
-          locator.find(position_in_cell(new_mesh, cell, point),
-                       new_mesh.bodies[cell]));
+    for (const Point<2> &p : quadrature_positions(new_mesh, quadrature))
+      locations.push_back(
+        locator.find(p, new_mesh.bodies[locations.size() / quadrature.size()]));
     return locations;
   }
 

@@ -20,12 +20,8 @@ namespace Sandglass
       const double quality =
         fault == ElementFault::rigid_corner ? bound / value : value / bound;
       if (quality < worst.quality)
-        worst = {cell,
-                 position_in_cell(mesh, cell, Point<2>(1. / 3., 1. / 3.)),
-                 fault,
-                 value,
-                 bound,
-                 quality};
+        worst = {
+          cell, middle_of_cell(mesh, cell), fault, value, bound, quality};
     }
 
 

@@ -1,6 +1,8 @@
 #include <sandglass/flow/updated_lagrangian/rezoning/boundary_piece.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/triangle_element.h>
 
+#include <algorithm>
+
 namespace Sandglass
 {
   namespace
@@ -77,6 +79,30 @@ namespace Sandglass
     for (unsigned int i = 0; i < mesh.n_nodes_per_cell(); ++i)
       position += values[i] * mesh.nodes[mesh.cells[cell][i]];
     return position;
+  }
+
+
+
+  Point<2>
+  middle_of_cell(const TriangleMesh &mesh, const unsigned int cell)
+  {
+    return position_in_cell(mesh, cell, Point<2>(1. / 3., 1. / 3.));
+  }
+
+
+
+  void
+  evaluate_in_cell(const TriangleMesh &mesh,
+                   const Field        &field,
+                   const unsigned int  cell,
+                   const Point<2>     &reference_point,
+                   double             *values)
+  {
+    const auto shapes = shape_values(mesh.order, reference_point);
+    std::fill_n(values, field.n_components, 0.);
+    for (unsigned int i = 0; i < mesh.n_nodes_per_cell(); ++i)
+      for (unsigned int c = 0; c < field.n_components; ++c)
+        values[c] += shapes[i] * field.at(mesh.cells[cell][i])[c];
   }
 
 

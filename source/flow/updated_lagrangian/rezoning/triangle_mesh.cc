@@ -66,6 +66,23 @@ namespace Sandglass
 
 
 
+  std::vector<unsigned int>
+  bodies_of_nodes(const TriangleMesh &mesh)
+  {
+    std::vector<unsigned int> bodies(mesh.nodes.size(),
+                                     numbers::invalid_unsigned_int);
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      for (unsigned int i = 0; i < mesh.n_nodes_per_cell(); ++i)
+        {
+          unsigned int &body = bodies[mesh.cells[cell][i]];
+          if (body == numbers::invalid_unsigned_int)
+            body = mesh.bodies[cell];
+        }
+    return bodies;
+  }
+
+
+
   std::vector<std::array<unsigned int, 3>>
   neighbours_of_cells(const TriangleMesh &mesh)
   {

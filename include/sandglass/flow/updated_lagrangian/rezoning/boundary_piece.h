@@ -28,6 +28,11 @@ namespace Sandglass
                 const double          first,
                 const double          last);
 
+  /// The inner corner of the curve's Bezier polygon. Where start, end and this
+  /// point lie on one side of a line, so does the curve.
+  Point<2>
+  bezier_corner(const QuadraticCurve &curve);
+
   /// t of the curve's point that is nearest to `p`.
   double
   nearest_on_curve(const QuadraticCurve &curve, const Point<2> &p);

@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor.h>
 
+#include <sandglass/flow/updated_lagrangian/rezoning/field.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/triangle_mesh.h>
 
 #include <array>
@@ -29,6 +30,18 @@ namespace Sandglass
   position_in_cell(const TriangleMesh &mesh,
                    const unsigned int  cell,
                    const Point<2>     &reference_point);
+
+  /// The same of the reference triangle's centre.
+  Point<2>
+  middle_of_cell(const TriangleMesh &mesh, const unsigned int cell);
+
+  /// All components of a nodal field at a cell's reference point.
+  void
+  evaluate_in_cell(const TriangleMesh &mesh,
+                   const Field        &field,
+                   const unsigned int  cell,
+                   const Point<2>     &reference_point,
+                   double             *values);
 
   /// J_ij = dx_i / dxi_j there, in m.
   Tensor<2, 2>

@@ -59,6 +59,10 @@ namespace Sandglass
     edge_points(const unsigned int cell, const unsigned int edge) const;
   };
 
+  /// Of each node, the body of the first of its cells, or invalid_unsigned_int.
+  std::vector<unsigned int>
+  bodies_of_nodes(const TriangleMesh &mesh);
+
   /// Of each cell, the cells beyond its edges, or invalid_unsigned_int.
   std::vector<std::array<unsigned int, 3>>
   neighbours_of_cells(const TriangleMesh &mesh);
