@@ -49,6 +49,13 @@ sandglass_require(VTK_FOUND
   "VTK 9 with the modules CommonCore, CommonDataModel, IOXML, ChartsCore, IOExport, RenderingContext2D, RenderingFreeType and RenderingOpenGL2"
   libvtk9-dev)
 
+# Draws the charts of reports, which hold it.
+find_file(D3_JAVASCRIPT d3.min.js PATHS
+  /usr/share/nodejs/d3/dist NO_DEFAULT_PATH)
+mark_as_advanced(D3_JAVASCRIPT)
+sandglass_require(D3_JAVASCRIPT
+  "the JavaScript library D3, version 5 or later (or -DD3_JAVASCRIPT=/path/to/d3.min.js)" node-d3)
+
 # Gmsh's C++ API comes without a CMake package on Debian.
 find_path(GMSH_INCLUDE_DIR gmsh.h)
 find_library(GMSH_LIBRARY gmsh)
