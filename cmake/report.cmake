@@ -29,5 +29,5 @@ endforeach()
 add_custom_target(report_templates DEPENDS ${report_copies})
 add_dependencies(sandglass-report report_templates)
 
-install(TARGETS sandglass-report RUNTIME DESTINATION bin)
-install(FILES ${report_templates} DESTINATION ${template_directory})
+install(TARGETS sandglass-report RUNTIME DESTINATION bin COMPONENT report)
+install(FILES ${report_templates} DESTINATION ${template_directory} COMPONENT report)

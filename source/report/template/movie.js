@@ -125,8 +125,8 @@ function drawParticles(image, movie, time, codesOf, colours, place, mirrored) {
     for (let r = 0; r < rows.length; ++r) {
       const row = cy + r - half;
       if (row < 0 || row >= height) continue;
-      const from = Math.max(0, cx - rows[r]), to = Math.min(width - 1, cx + rows[r]);
-      if (to >= from) pixels.fill(colour, row * width + from, row * width + to + 1);
+      const from = row * width + Math.max(0, cx - rows[r]), to = row * width + Math.min(width - 1, cx + rows[r]);
+      for (let p = from; p <= to; ++p) pixels[p] = colour; // fill() takes longer for so few
     }
   };
   for (let i = 0; i < n; ++i) {

@@ -37,12 +37,13 @@ function stage(view, run, bounds) {
   const svg = d3.select(view.querySelector("svg")), movie = run.movie;
   const colourOf = colourings(movie);
   const state = { time: movie.times[0], field: "layer", mesh: false, tractions: false };
-  let colours = pixelColours(colourOf.layer), image = null, zoomed = d3.zoomIdentity;
+  let colours = pixelColours(colourOf.layer), image = null, zoomed = d3.zoomIdentity, paper = null, framed = "";
+  let size = [view.clientWidth, view.clientHeight]; // To ask each time would cost a layout.
   const largest = d3.max(run.walls.lines, line => d3.max(line.frames, frame => d3.max(frame, row => row.normal_Pa))) || 1;
   const { x0, x1, y0, y1, mirrored } = bounds;
 
   const place = () => { // in CSS pixels
-    const w = view.clientWidth, h = view.clientHeight;
+    const [w, h] = paper || size;
     const left = 40, right = 14, top = 10, bottom = 26;
     const spread = 1 + (state.tractions ? .24 : 0);
     const scale = Math.min((w - left - right) / ((x1 - x0) * spread), (h - top - bottom) / (y1 - y0));
@@ -113,7 +114,7 @@ function stage(view, run, bounds) {
   }
 
   function draw() {
-    const at = place(), ratio = Math.min(2, window.devicePixelRatio || 1);
+    const at = place(), ratio = paper ? 3 : Math.min(2, window.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(at.w * ratio)), height = Math.max(1, Math.round(at.h * ratio));
     if (canvas.width !== width || canvas.height !== height || !image) {
       canvas.width = width;
@@ -125,7 +126,7 @@ function stage(view, run, bounds) {
       { x: at.x * ratio, y: at.y * ratio, scale: at.scale * ratio, bottom: (at.y - y0 * at.scale) * ratio }, mirrored);
     context.putImageData(image, 0, 0);
     if (run.mesh) drawMesh(at, ratio);
-    drawFrame(at);
+    if (framed !== (framed = JSON.stringify(at))) drawFrame(at);
     drawTractions(at);
     view.dataset.frame = frameAt(movie, state.time)[0];
     view.dataset.draws = +(view.dataset.draws || 0) + 1;
@@ -158,7 +159,19 @@ function stage(view, run, bounds) {
     .on("dblclick", () => d3.select(canvas).call(zoom.transform, d3.zoomIdentity))
     .on("mousemove", function () { hover(...d3.mouse(this)); })
     .on("mouseleave", () => { view.querySelector(".hint").hidden = true; });
-  new ResizeObserver(draw).observe(view);
+  // No higher than what there is to show at this width.
+  const needed = width => 46 + (y1 - y0) / (x1 - x0) * (width - 54);
+  new ResizeObserver(() => {
+    view.style.maxHeight = needed(view.clientWidth) + "px";
+    size = [view.clientWidth, view.clientHeight];
+    if (!paper) draw();
+  }).observe(view);
+  addEventListener("beforeprint", () => {
+    paper = [330, Math.min(420, needed(330))];
+    view.style.setProperty("--paper-ratio", paper[0] / paper[1]);
+    draw();
+  });
+  addEventListener("afterprint", () => { paper = null; draw(); });
 
   return {
     state, draw, colourOf,
@@ -189,6 +202,7 @@ function player(run, scene, onTime) {
   function show(time) {
     slider.value = time;
     document.getElementById("clock").textContent = time.toFixed(2) + " s";
+    document.getElementById("caption-time").textContent = time.toFixed(2);
     scene.set({ time });
     onTime(time);
   }

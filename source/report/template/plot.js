@@ -77,9 +77,10 @@ function plot(container, options) {
       .attr("stroke-dasharray", s => s.dash || null).attr("d", s => line(s.points));
   }
 
-  function draw() {
-    width = frame.node().clientWidth || 520;
-    const full = Math.max(190, Math.min(width * height, 460));
+  // On paper a chart is half as wide as the page.
+  function draw(paperWidth) {
+    width = paperWidth || frame.node().clientWidth || 520;
+    const full = paperWidth ? paperWidth * (upright ? .75 : .5) : Math.max(190, Math.min(width * height, 460));
     const right = width - margin.right, bottom = full - margin.bottom;
     svg.attr("viewBox", `0 0 ${width} ${full}`).html("");
     across.domain(domain(x, 0)).nice(7).range([margin.left, right]);
@@ -140,6 +141,8 @@ function plot(container, options) {
 
   drawLegend();
   draw();
+  addEventListener("beforeprint", () => draw(330));
+  addEventListener("afterprint", () => draw());
   new ResizeObserver(() => { if (frame.node().clientWidth !== width && frame.node().clientWidth) draw(); })
     .observe(frame.node());
   return { update, mark };

@@ -29,7 +29,7 @@ function rateFigure(run) {
       series.push({ name: grain === "0" ? "Beverloo, fine grains" : `Beverloo, grains of ${grain} outlets`, colour: colours[i % 3], dash: dashes[i % 3], points: points(column), width: 1.5 });
   });
   container.innerHTML = `<div></div><figcaption><b>Figure ${nextFigure()}.</b> Mass flow rate, the mean over ` +
-    `${run.parameter("Output", "Flow rate window") || "a window of"} s. A click shows that time.</figcaption>`;
+    `${run.parameter("Output", "Flow rate window") || "a window of"} s.<span class="screen"> A click shows that time.</span></figcaption>`;
   const chart = plot(container.firstChild, {
     x: { label: "time", unit: "s" }, y: { label: "flow rate", unit, zero: true }, series, height: .72,
     pick: time => show(time),
@@ -113,7 +113,7 @@ function mapRows(run, bounds) {
     const row = document.createElement("div");
     row.className = "map-row";
     row.innerHTML = `<div class="map-head"><h3>${colouring.title[0].toUpperCase() + colouring.title.slice(1)}</h3>${scaleHtml(colouring)}</div><div class="map-strip"></div>` +
-      `<figcaption style="padding-left:0"><b>Figure ${nextFigure()}.</b> ${({ layer: "Layers of the initial height", speed: "Speed, on a logarithmic scale", pressure: "Mean pressure in the material" })[name]} at ${n} times. A click shows that time above.</figcaption>`;
+      `<figcaption style="padding-left:0"><b>Figure ${nextFigure()}.</b> ${({ layer: "Layers of the initial height", speed: "Speed, on a logarithmic scale", pressure: "Mean pressure in the material" })[name]} at ${n} times.<span class="screen"> A click shows that time above.</span></figcaption>`;
     byId("map-rows").append(row);
     const colours = pixelColours(colouring);
     for (const time of times) {
@@ -167,7 +167,8 @@ function flowSection(run, bounds, onTime) {
   const describe = () => {
     byId("scale").innerHTML = scaleHtml(scene.colourOf[scene.state.field]);
     byId("flow-caption").innerHTML = `<b>Figure 1.</b> The material, coloured by ${scene.colourOf[scene.state.field].caption}` +
-      `${bounds.mirrored ? "; the left half mirrors the right one, which was computed" : ""}. Drag with Ctrl and the wheel to look closer, double-click to go back.`;
+      `${bounds.mirrored ? "; the left half mirrors the right one, which was computed" : ""}, at t = <span id="caption-time"></span> s.<span class="screen"> Ctrl and the wheel enlarge, a double click goes back.</span>`;
+    byId("caption-time").textContent = scene.state.time.toFixed(2);
     for (const button of byId("colour").children)
       button.setAttribute("aria-checked", button.dataset.field === scene.state.field);
   };

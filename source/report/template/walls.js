@@ -18,7 +18,8 @@ function wallLines(rows) {
   for (const line of lines)
     line.label = (title[line.name] || line.name) + (isBothSided && line.side !== "middle" ? ", " + line.side : "");
   const order = ["wall", "hopper", "floor", "outlet"];
-  return lines.sort((a, b) => (order.indexOf(a.name) + 9) % 9 - (order.indexOf(b.name) + 9) % 9);
+  return lines.sort((a, b) => (order.indexOf(a.name) + 9) % 9 - (order.indexOf(b.name) + 9) % 9 ||
+    d3.ascending(a.side, b.side));
 }
 
 // The rows of the time next to `time`.
