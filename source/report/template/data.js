@@ -28,6 +28,25 @@ async function table(name) {
   });
 }
 
+// What D3 calls differently in its versions 5 to 7.
+
+// [[key, rows], …] in the order of their first rows.
+function grouped(rows, keyOf) {
+  const groups = new Map();
+  for (const row of rows) {
+    const key = keyOf(row);
+    if (!groups.has(key)) groups.set(key, []);
+    groups.get(key).push(row);
+  }
+  return [...groups];
+}
+
+// Where the pointer is, from the corner of an element.
+function pointerIn(element, event) {
+  const box = element.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
 // Sections of a parameter file: {section: {name: {value, isDefault, meaning}}}.
 function parseParameters(text) {
   const sections = {};

@@ -153,11 +153,15 @@ function stage(view, run, bounds) {
   }
 
   const zoom = d3.zoom().scaleExtent([1, 12])
-    .filter(() => d3.event.type !== "wheel" || d3.event.ctrlKey || zoomed.k > 1)
-    .on("zoom", () => { zoomed = d3.event.transform.k === 1 ? d3.zoomIdentity : d3.event.transform; draw(); });
+    .filter(event => (d3.event || event).type !== "wheel" || (d3.event || event).ctrlKey || zoomed.k > 1)
+    .on("zoom", event => {
+      const { transform } = d3.event || event;
+      zoomed = transform.k === 1 ? d3.zoomIdentity : transform;
+      draw();
+    });
   d3.select(canvas).call(zoom).on("dblclick.zoom", null)
     .on("dblclick", () => d3.select(canvas).call(zoom.transform, d3.zoomIdentity))
-    .on("mousemove", function () { hover(...d3.mouse(this)); })
+    .on("mousemove", event => hover(...pointerIn(canvas, d3.event || event)))
     .on("mouseleave", () => { view.querySelector(".hint").hidden = true; });
   // No higher than what there is to show at this width.
   const needed = width => 46 + (y1 - y0) / (x1 - x0) * (width - 54);

@@ -102,9 +102,11 @@ function plot(container, options) {
     svg.append("rect").attr("x", margin.left).attr("y", margin.top).attr("width", Math.max(0, right - margin.left))
       .attr("height", bottom - margin.top).attr("fill", "transparent")
       .style("cursor", options.pick ? "pointer" : null)
-      .on("mousemove", function () { hover(d3.mouse(this), right, bottom); })
+      .on("mousemove", event => hover(pointerIn(svg.node(), d3.event || event), right, bottom))
       .on("mouseleave", () => { tip.attr("hidden", ""); probe.attr("visibility", "hidden"); })
-      .on("click", function () { if (options.pick) options.pick(across.invert(d3.mouse(this)[0])); });
+      .on("click", event => {
+        if (options.pick) options.pick(across.invert(pointerIn(svg.node(), d3.event || event)[0]));
+      });
   }
 
   // Values of all curves beside the pointer.

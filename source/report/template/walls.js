@@ -3,10 +3,10 @@
 // Lines of walls: [{name, side, label, isUpright, isOutlet, times, frames}], frames
 // being the rows of each time in the order of arc length.
 function wallLines(rows) {
-  const lines = d3.nest().key(row => row.wall + "|" + (row.side || "")).entries(rows).map(({ key, values }) => {
+  const lines = grouped(rows, row => row.wall + "|" + (row.side || "")).map(([key, values]) => {
     const [name, side] = key.split("|");
-    const byTime = d3.nest().key(row => row.time_s).entries(values);
-    const frames = byTime.map(entry => entry.values.sort((a, b) => a.arc_length_m - b.arc_length_m));
+    const frames = grouped(values, row => row.time_s)
+      .map(([, ofTime]) => ofTime.sort((a, b) => a.arc_length_m - b.arc_length_m));
     const span = column => { const [low, high] = d3.extent(frames[0], row => row[column]); return high - low; };
     return {
       name, side, isOutlet: name === "outlet", isUpright: span("y_m") > 0.5 * span("x_m"),
