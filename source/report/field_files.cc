@@ -28,15 +28,14 @@ namespace Sandglass
           for (const auto &[element, content] :
                tree.get_child("VTKFile.Collection"))
             if (element == "DataSet")
-              files.push_back(
-                {content.get<double>("<xmlattr>.timestep"),
-                 file.parent_path() /
-                   content.get<std::string>("<xmlattr>.file")});
+              files.push_back({content.get<double>("<xmlattr>.timestep"),
+                               file.parent_path() /
+                                 content.get<std::string>("<xmlattr>.file")});
         }
       catch (const boost::property_tree::ptree_error &error)
         {
-          throw InputError("'" + file.string() + "' is damaged: " +
-                           error.what() + '.');
+          throw InputError("'" + file.string() +
+                           "' is damaged: " + error.what() + '.');
         }
       return files;
     }

@@ -18,10 +18,8 @@ namespace Sandglass
       compressor->SetCompressionLevel(9);
       std::vector<std::uint8_t> compressed(
         compressor->GetMaximumCompressionSpace(bytes.size()));
-      compressed.resize(compressor->Compress(bytes.data(),
-                                             bytes.size(),
-                                             compressed.data(),
-                                             compressed.size()));
+      compressed.resize(compressor->Compress(
+        bytes.data(), bytes.size(), compressed.data(), compressed.size()));
       if (compressed.empty())
         throw std::runtime_error("zlib can't compress: out of memory?");
 

@@ -48,8 +48,8 @@ namespace Sandglass
       std::string
       now()
       {
-        const auto time =
-          std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+        const auto time = std::chrono::system_clock::to_time_t(
+          std::chrono::system_clock::now());
         std::array<char, 32> text;
         std::strftime(text.data(),
                       text.size(),
@@ -84,9 +84,9 @@ namespace Sandglass
         data += data_element("particles.json", pack(frames.description()));
         data += data_element("particles.bin", pack(frames.bytes()));
         if (!run.meshes.empty())
-          data += data_element(
-            "mesh.json",
-            pack(mesh_edges(*read_fields(run.meshes.front().file))));
+          data += data_element("mesh.json",
+                               pack(mesh_edges(
+                                 *read_fields(run.meshes.front().file))));
         return data;
       }
 
@@ -120,7 +120,7 @@ namespace Sandglass
                                      "data.js",
                                      "plot.js",
                                      "movie.js",
-"player.js",
+                                     "player.js",
                                      "walls.js",
                                      "words.js",
                                      "report.js"})

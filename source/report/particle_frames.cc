@@ -16,6 +16,9 @@ namespace Sandglass
       /// Places are so fine that a view can be enlarged some five times.
       constexpr unsigned int n_steps = 8191;
 
+      /// A flow of fewer does not play.
+      constexpr std::size_t least_frames = 26;
+
       constexpr double pi            = 3.14159265358979323846;
       constexpr double speed_decades = 3;
 
@@ -74,32 +77,32 @@ namespace Sandglass
     {
       if (files.empty())
         return;
-      n_particles_of_run =
-        read_fields(files.front().file)->GetNumberOfPoints();
-      choose_frames(n_particles_of_run);
-      const auto every =
-        std::max<std::int64_t>(1, n_particles_of_run * 2 / largest_count);
+      n_particles_of_run = read_fields(files.front().file)->GetNumberOfPoints();
+      // Of so many particles every second, third … only.
+      const std::int64_t every =
+        1 + n_particles_of_run * least_frames / largest_count;
+      choose_frames(n_particles_of_run / every);
 
       double filled_density = 1;
       for (const auto &[time, file] : files)
         {
-          const auto  grid     = read_fields(file);
-          auto       &id       = point_field(*grid, "id", 1, file);
-          auto       &velocity = point_field(*grid, "velocity", 3, file);
-          auto       &p        = point_field(*grid, "pressure", 1, file);
-          auto       &layer    = point_field(*grid, "layer", 1, file);
-          auto       &mass     = point_field(*grid, "mass", 1, file);
-          auto       &density  = point_field(*grid, "density", 1, file);
-          Frame      &frame    = frames.emplace_back();
+          const auto grid     = read_fields(file);
+          auto      &id       = point_field(*grid, "id", 1, file);
+          auto      &velocity = point_field(*grid, "velocity", 3, file);
+          auto      &p        = point_field(*grid, "pressure", 1, file);
+          auto      &layer    = point_field(*grid, "layer", 1, file);
+          auto      &mass     = point_field(*grid, "mass", 1, file);
+          auto      &density  = point_field(*grid, "density", 1, file);
+          Frame     &frame    = frames.emplace_back();
           if (frames.size() == 1)
             filled_density = median(density);
-          const auto  n        = grid->GetNumberOfPoints();
+          const auto n = grid->GetNumberOfPoints();
           for (vtkIdType i = 0; i < n; ++i)
             {
               const auto number = std::int64_t(id.GetComponent(i, 0));
               if (number % every != 0)
                 continue;
-              const double *const x    = grid->GetPoint(i);
+              const double *const x = grid->GetPoint(i);
               // Not that of loose material in its fall.
               double area = mass.GetComponent(i, 0) / filled_density * every;
               if (is_axisymmetric)
@@ -128,7 +131,7 @@ namespace Sandglass
     ParticleFrames::choose_frames(const std::size_t n_particles)
     {
       const std::size_t n_largest = std::max<std::size_t>(
-        2, largest_count / std::max<std::size_t>(1, n_particles));
+        least_frames, largest_count / std::max<std::size_t>(1, n_particles));
       if (files.size() <= n_largest)
         return;
       std::vector<FieldFile> chosen;
@@ -230,8 +233,8 @@ namespace Sandglass
         return clamped((p.y - y_0) / step, n_steps);
       });
       append_differences(bytes, [this](const Particle &p) {
-        return clamped(
-          255 * (1 + std::log10(p.speed / speed) / speed_decades), 255);
+        return clamped(255 * (1 + std::log10(p.speed / speed) / speed_decades),
+                       255);
       });
       append_differences(bytes, [this](const Particle &p) {
         return clamped(255 * p.pressure / pressure, 255);

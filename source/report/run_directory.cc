@@ -77,8 +77,7 @@ namespace Sandglass
           texts[name] = read_text(path / name);
       if (const auto summary = texts.find("summary.json");
           summary != texts.end())
-        check_kind(path,
-                   parse_summary(path / "summary.json", summary->second));
+        check_kind(path, parse_summary(path / "summary.json", summary->second));
 
       const std::map<std::string, std::vector<std::string>> tables = {
         {"history.csv", {"time_s"}},
