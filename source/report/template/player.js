@@ -31,6 +31,9 @@ function wallPaths(run, mirrored) {
   return paths;
 }
 
+// The largest pressure as drawn, over the section's width.
+const pressureReach = .2;
+
 // Draws into `view`, a <div> with a <canvas> and an <svg>.
 function stage(view, run, bounds) {
   const canvas = view.querySelector("canvas"), context = canvas.getContext("2d");
@@ -45,10 +48,11 @@ function stage(view, run, bounds) {
   const place = () => { // in CSS pixels
     const [w, h] = paper || size;
     const left = 40, right = 14, top = 10, bottom = 26;
-    const spread = 1 + (state.tractions ? .24 : 0);
-    const scale = Math.min((w - left - right) / ((x1 - x0) * spread), (h - top - bottom) / (y1 - y0));
+    const reach = state.tractions ? pressureReach * (x1 - x0) : 0;
+    const y2 = Math.min(y0, -reach); // Those on a floor need room as well.
+    const scale = Math.min((w - left - right) / (x1 - x0 + 2 * reach), (h - top - bottom) / (y1 - y2));
     const x = left + (w - left - right) / 2 - scale * (x0 + x1) / 2;
-    const y = top + (h - top - bottom) / 2 + scale * (y0 + y1) / 2;
+    const y = top + (h - top - bottom) / 2 + scale * (y2 + y1) / 2;
     return { scale: scale * zoomed.k, x: zoomed.applyX(x), y: zoomed.applyY(y), w, h };
   };
 
@@ -76,8 +80,8 @@ function stage(view, run, bounds) {
   }
 
   function drawTractions(at) {
-    const lines = state.tractions ? run.walls.lines.filter(l => !l.isOutlet) : [];
-    const reach = .2 * (x1 - x0) * at.scale / largest;
+    const lines = state.tractions ? run.walls.lines.filter(l => !l.isOutlet || l.frames.length > 1) : [];
+    const reach = pressureReach * (x1 - x0) * at.scale / largest;
     const shapes = [];
     for (const line of lines)
       for (const side of mirrored ? [1, -1] : [1]) {
@@ -89,7 +93,8 @@ function stage(view, run, bounds) {
         });
         shapes.push(d3.line()([...inner, ...outer.reverse()]) + "Z");
       }
-    svg.selectAll("path.traction").data(shapes).join("path").attr("class", "traction").attr("d", d => d);
+    svg.selectAll("path.traction").data(shapes) // below the walls
+      .join(enter => enter.insert("path", ":first-child")).attr("class", "traction").attr("d", d => d);
     const nice = d3.tickStep(0, largest / 1000, 2) * 1000;
     svg.selectAll("g.bar-of-scale").data(lines.length ? [nice] : []).join("g").attr("class", "bar-of-scale note")
       .attr("transform", `translate(${at.w - 16 - nice * reach},${at.h - 44})`)
@@ -165,11 +170,12 @@ function stage(view, run, bounds) {
     .on("mouseleave", () => { view.querySelector(".hint").hidden = true; });
   // No higher than what there is to show at this width.
   const needed = width => 46 + (y1 - y0) / (x1 - x0) * (width - 54);
-  new ResizeObserver(() => {
+  // In the next frame: an observer must not change what it observes.
+  new ResizeObserver(() => requestAnimationFrame(() => {
     view.style.maxHeight = needed(view.clientWidth) + "px";
     size = [view.clientWidth, view.clientHeight];
     if (!paper) draw();
-  }).observe(view);
+  })).observe(view);
   addEventListener("beforeprint", () => {
     paper = [330, Math.min(420, needed(330))];
     view.style.setProperty("--paper-ratio", paper[0] / paper[1]);

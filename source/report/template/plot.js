@@ -47,7 +47,7 @@ function plot(container, options) {
           values.push(...(upright ? (index === 0 ? [p[0], p[1]] : [p[2]])
             : (index === 0 ? [p[0]] : [p[1], p[2]])));
     let [low, high] = values.length ? d3.extent(values) : [0, 1];
-    if (axis.zero) [low, high] = [low > -1e-6 * high ? 0 : low, Math.max(high, 0)];
+    if (axis.zero) [low, high] = [low > -.02 * high ? 0 : low, Math.max(high, 0)];
     return low === high ? [low, low + 1] : [low, high];
   }
 
@@ -145,7 +145,9 @@ function plot(container, options) {
   draw();
   addEventListener("beforeprint", () => draw(330));
   addEventListener("afterprint", () => draw());
-  new ResizeObserver(() => { if (frame.node().clientWidth !== width && frame.node().clientWidth) draw(); })
-    .observe(frame.node());
+  // In the next frame: an observer must not change what it observes.
+  new ResizeObserver(() => requestAnimationFrame(() => {
+    if (frame.node().clientWidth !== width && frame.node().clientWidth) draw();
+  })).observe(frame.node());
   return { update, mark };
 }

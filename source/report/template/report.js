@@ -76,7 +76,7 @@ function balanceFigures(run) {
       curve("in the silo", "mass_in_silo_kg", "var(--c1)"), curve("discharged", "mass_discharged_kg", "var(--c2)"),
       curve("of it falling", "mass_falling_kg", "var(--c3)"), curve("has not moved", "stagnant_mass_kg", "var(--rest)"),
       d3.max(rows, row => row.mass_lost_kg) > 0 && curve("lost", "mass_lost_kg", "var(--bad)")],
-    `Masses in the silo, discharged and lost add up to the initial one to ${shown(run.summary.mass_balance_error, 1)} of it.`],
+    `Masses in the silo, discharged and lost add up to the initial one${run.summary.mass_balance_error > 0 ? ` to ${shown(run.summary.mass_balance_error, 1)} of it` : ""}.`],
     ["Energy", { label: "energy", unit: `${joule} ${unit}`.trim(), zero: true }, [
       ...gravity ? [{ name: "work of gravity", colour: "var(--ink)", dash: "7 4", width: 1.6, points: gravity.work.map(([t, w]) => [t, w / by]) },
         { name: "taken along by what left", colour: "var(--c4)", width: 2, points: gravity.rest.map(([t, w]) => [t, w / by]) }] : [],
@@ -150,8 +150,9 @@ function readout(run) {
     const lines = [["Flow rate", flow.mass_flow_rate_kg_per_s, run.isPlane ? "kg/(s m)" : "kg/s"], ["Discharged", history.mass_discharged_kg, mass],
       ["In the silo", history.mass_in_silo_kg, mass], ["Has not moved", history.stagnant_mass_kg, mass],
       ["Largest speed", history.largest_speed_m_per_s, "m/s"], ["Largest wall pressure", d3.max(pressures) / 1000, "kPa"]];
-    byId("readout").innerHTML = "<tbody>" + lines.filter(([, value]) => isFinite(value))
-      .map(([name, value, unit]) => `<tr><th>${name}</th><td>${shown(value, 4)} ${unit}</td></tr>`).join("") + "</tbody>";
+    const cells = lines.filter(([, value]) => isFinite(value))
+      .map(([name, value, unit]) => `<tr><th>${name}</th><td>${shown(value, 4)} ${unit}</td></tr>`);
+    byId("readout").innerHTML = cells.length ? `<tbody>${cells.join("")}</tbody>` : "";
   };
 }
 
@@ -237,7 +238,7 @@ async function main() {
   const flow = flowSection(run, bounds, follow);
   show = flow ? flow.controls.show : follow;
   themes(() => { if (flow) flow.scene.draw(); inkMaps(); });
-  show(+wish("time") || (run.movie ? run.movie.times[0] : 0));
+  show(+wish("time") || (run.movie ? run.movie.times[0] : run.summary.end_time_s || 0));
   document.body.dataset.ready = "yes";
   if (flow && wish("play") !== null)
     flow.controls.setPlaying(true);
