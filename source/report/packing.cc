@@ -4,7 +4,6 @@
 #include <vtkNew.h>
 #include <vtkZLibDataCompressor.h>
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace Sandglass
@@ -37,25 +36,6 @@ namespace Sandglass
     pack(const std::string &text)
     {
       return pack(std::vector<std::uint8_t>(text.begin(), text.end()));
-    }
-
-
-
-    std::string
-    quoted(const std::string &text)
-    {
-      std::string result = "\"";
-      for (const char character : text)
-        if (static_cast<unsigned char>(character) < 0x20 || character == '"' ||
-            character == '\\' || character == '<')
-          {
-            char code[7];
-            std::snprintf(code, sizeof(code), "\\u%04x", character);
-            result += code;
-          }
-        else
-          result += character;
-      return result + '"';
     }
 
 

@@ -1,10 +1,12 @@
 #ifndef sandglass_report_field_files_h
 #define sandglass_report_field_files_h
 
+#include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace Sandglass

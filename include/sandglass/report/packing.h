@@ -20,10 +20,6 @@ namespace Sandglass
     std::string
     pack(const std::string &text);
 
-    /// `text` between quotes as a string of JSON that may stand in HTML.
-    std::string
-    quoted(const std::string &text);
-
     /// `text` as HTML shows it.
     std::string
     escaped(const std::string &text);

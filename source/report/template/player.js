@@ -150,9 +150,10 @@ function stage(view, run, bounds) {
     }
     hint.hidden = best < 0;
     if (best < 0) return;
-    const speed = movie.speedCode[f][best];
+    const speed = movie.speedCode[f][best], pressure = movie.pressureCode[f][best];
+    const bound = (code, lowest) => code === 255 ? "≥ " : code === lowest ? "< " : "";
     hint.textContent = `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m · layer ${movie.layer[best]} · ` +
-      `${speed === 0 ? "< " : ""}${shown(movie.speedOf(speed), 2)} m/s · ${shown(movie.pressureOf(movie.pressureCode[f][best]) / 1000, 2)} kPa`;
+      `${bound(speed, 0)}${shown(movie.speedOf(speed), 2)} m/s · ${bound(pressure)}${shown(movie.pressureOf(pressure) / 1000, 2)} kPa`;
     hint.style.left = Math.max(4, Math.min(px + 14, at.w - hint.offsetWidth - 4)) + "px";
     hint.style.top = Math.max(4, py - 36) + "px";
   }
