@@ -200,7 +200,7 @@ function player(run, scene, onTime) {
   const slider = document.getElementById("time"), button = document.getElementById("play");
   const view = document.getElementById("view"), pace = document.getElementById("pace");
   const icon = { play: "M3 1.5v13l11-6.5z", pause: "M3 2h3.6v12H3zM9.4 2H13v12H9.4z" };
-  let isPlaying = false, last = 0, count = 0, since = 0;
+  let isPlaying = false, last = 0, count = 0, since = 0, ticket = 0;
   slider.min = begin;
   slider.max = finish;
 
@@ -225,8 +225,20 @@ function player(run, scene, onTime) {
       if (scene.state.time >= finish) show(begin);
       last = since = performance.now();
       count = 0;
-      requestAnimationFrame(advance);
+      advanceSoon();
     }
+  }
+  // With the next picture, or without where the browser draws none, as of a
+  // hidden page: time goes on there too.
+  function advanceSoon() {
+    const own = ++ticket;
+    const once = () => {
+      if (own !== ticket) return; // The other way has been faster.
+      ++ticket;
+      advance(performance.now());
+    };
+    requestAnimationFrame(once);
+    setTimeout(once, 200);
   }
   function advance(now) {
     if (!isPlaying) return;
@@ -239,7 +251,7 @@ function player(run, scene, onTime) {
       [since, count] = [now, 0];
     }
     if (time >= finish) setPlaying(false);
-    else requestAnimationFrame(advance);
+    else advanceSoon();
   }
 
   button.addEventListener("click", () => setPlaying(!isPlaying));
