@@ -3,6 +3,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/element_test/run_element_test.h>
 #include <sandglass/output/banner.h>
+#include <sandglass/output/output_directory.h>
 #include <sandglass/run/parameter_file.h>
 #include <sandglass/run/print_outputs.h>
 #include <sandglass/run/run.h>
@@ -110,14 +111,21 @@ main(int argc, char *argv[])
         std::cerr << error.what() << std::endl;
       return input_refused;
     }
+  catch (const Sandglass::RunStopped &stop)
+    {
+      if (prints)
+        std::cerr << stop.what() << std::endl;
+      return stop.exit_code();
+    }
   catch (const std::exception &error)
     {
       // Errors other than RunError may be on one rank only: each rank prints.
       const bool is_collective =
         dynamic_cast<const Sandglass::RunError *>(&error) != nullptr;
       if (prints || !is_collective)
-        std::cerr << error.what() << std::endl;
-      if (!is_collective)
+        std::cerr << Sandglass::message_of(error) << std::endl;
+      if (!is_collective &&
+          dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
         MPI_Abort(MPI_COMM_WORLD, run_failed);
       return run_failed;
     }

@@ -45,7 +45,8 @@ namespace Sandglass
     {"status",
      "",
      [](const ElementTestResults &r) { return r.status; },
-     "`finished` or `failed`"},
+     "`running`, which a test that was killed stays; `finished`, or `failed` "
+     "with an error"},
     {"message",
      "",
      [](const ElementTestResults &r) { return r.message; },

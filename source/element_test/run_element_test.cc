@@ -9,7 +9,7 @@
 #include <sandglass/output/csv_file.h>
 #include <sandglass/output/json_object.h>
 #include <sandglass/output/output_directory.h>
-#include <sandglass/output/replace_file.h>
+#include <sandglass/output/summary_file.h>
 
 namespace Sandglass
 {
@@ -36,7 +36,7 @@ namespace Sandglass
     {
       JsonObject json;
       json.add(element_test_summary_table, results);
-      replace_file(directory + "/summary.json", json.text());
+      write_summary_file(directory, json.text());
     }
 
 
@@ -51,6 +51,7 @@ namespace Sandglass
       CsvTable<ElementTestRow> table(directory + "/element_test.csv",
                                      element_test_table,
                                      ElementTestRow());
+      write_summary(results, directory);
       table.open();
       try
         {
@@ -58,16 +59,16 @@ namespace Sandglass
             table.add_row(row);
             results.add(row);
           });
-          results.status = "finished";
+          results.status = Status::finished;
         }
-      catch (const RunError &error)
+      catch (const std::exception &error)
         {
-          results.status  = "failed";
-          results.message = error.what();
+          results.status  = Status::failed;
+          results.message = message_of(error);
         }
       table.flush();
       write_summary(results, directory);
-      if (results.status == "failed")
+      if (results.status == Status::failed)
         throw RunError(results.message);
     }
   } // namespace
@@ -80,7 +81,7 @@ namespace Sandglass
                    const MPI_Comm                  communicator,
                    Log                            &log)
   {
-    const std::string &directory = parameters.output.directory;
+    OutputDirectory    directory(parameters.output.directory, communicator);
     ElementTestResults results;
     results.law      = parameters.material.model;
     results.kind     = kind_in_words();
@@ -97,12 +98,13 @@ namespace Sandglass
       log.warn(warnings);
       log.stream() << "Element test: " << results.kind << ", law "
                    << results.law << std::endl;
-      prepare_output_directory(parameters.output, false, communicator, log, "");
+      directory.start(log);
+      directory.write_parameters();
       try
         {
           do_and_share_errors(communicator, [&]() {
             if (Utilities::MPI::this_mpi_process(communicator) == 0)
-              run_and_write(test, directory, results);
+              run_and_write(test, directory.path, results);
           });
         }
       catch (const RunError &error)
@@ -111,7 +113,7 @@ namespace Sandglass
           throw;
         }
     });
-    log.stream() << to_text(results) << "Results are in " << directory
+    log.stream() << to_text(results) << "Results are in " << directory.path
                  << std::endl;
   }
 } // namespace Sandglass

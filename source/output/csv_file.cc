@@ -1,7 +1,9 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/output/csv_file.h>
+#include <sandglass/output/replace_file.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -18,6 +20,24 @@ namespace Sandglass
       std::to_chars(text.data(), text.data() + text.size(), value);
     return std::string(text.data(), result.ptr);
   }
+
+
+
+  namespace
+  {
+    /// The texts with commas between them, and the line's end.
+    std::string
+    line_of(const std::vector<std::string> &texts)
+    {
+      std::string line, separator;
+      for (const std::string &text : texts)
+        {
+          line += separator + text;
+          separator = ",";
+        }
+      return line + '\n';
+    }
+  } // namespace
 
 
 
@@ -39,16 +59,41 @@ namespace Sandglass
       }
     else
       {
-        std::error_code error;
-        const auto size_found = std::filesystem::file_size(filename, error);
-        if (error || size_found < size)
-          throw RunError("'" + filename +
-                         "' is not the file that the checkpoint belongs to. "
-                         "Run again without --restart.");
         std::filesystem::resize_file(filename, size);
+        size_flushed = size;
         file.open(filename, std::ios::app);
       }
     flush();
+  }
+
+
+
+  void
+  CsvFile::refuse_other(const std::string &directory) const
+  {
+    if (size == 0)
+      return;
+    const std::string there =
+      directory + '/' + std::filesystem::path(filename).filename().string();
+    const auto refuse = [&there](const std::string &reason) {
+      throw InputError("--restart: '" + there +
+                         "' is not the table that the checkpoint belongs to: " +
+                         reason +
+                         "; allowed is the directory of the checkpoint's run",
+                       "Output",
+                       "Directory");
+    };
+    std::error_code error;
+    const auto size_found = std::filesystem::file_size(there, error);
+    if (error)
+      refuse("it isn't there");
+    if (size_found < size)
+      refuse("it is shorter");
+    std::ifstream table(there);
+    std::string   head;
+    std::getline(table, head);
+    if (head + '\n' != line_of(columns))
+      refuse("it has other columns");
   }
 
 
@@ -72,13 +117,7 @@ namespace Sandglass
   void
   CsvFile::write_line(const std::vector<std::string> &texts)
   {
-    std::string line, separator;
-    for (const std::string &text : texts)
-      {
-        line += separator + text;
-        separator = ",";
-      }
-    line += '\n';
+    const std::string line = line_of(texts);
     file << line;
     size += line.size();
   }
@@ -88,7 +127,17 @@ namespace Sandglass
   void
   CsvFile::flush()
   {
-    if (!file.flush())
-      throw RunError("'" + filename + "' can't be written. Is the disk full?");
+    errno = 0;
+    if (file.flush())
+      {
+        size_flushed = size;
+        return;
+      }
+    const int reason = errno;
+    file.close();
+    std::error_code ignored;
+    std::filesystem::resize_file(filename, size_flushed, ignored);
+    errno = reason;
+    throw_unwritable(filename);
   }
 } // namespace Sandglass

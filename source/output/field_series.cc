@@ -3,8 +3,10 @@
 #include <deal.II/base/utilities.h>
 
 #include <sandglass/output/field_series.h>
+#include <sandglass/output/own_files.h>
 #include <sandglass/output/replace_file.h>
 
+#include <filesystem>
 #include <sstream>
 
 namespace Sandglass
@@ -13,7 +15,7 @@ namespace Sandglass
 
   namespace
   {
-    const std::string subdirectory = "vtu/";
+    const std::string subdirectory = field_directory + '/';
   } // namespace
 
 
@@ -32,8 +34,22 @@ namespace Sandglass
   void
   FieldSeries::open() const
   {
-    if (rank == 0 && !times_and_names.empty())
-      write_pvd();
+    if (rank != 0 || times_and_names.empty())
+      return;
+    write_pvd();
+    remove_later_files();
+  }
+
+
+
+  void
+  FieldSeries::remove_later_files() const
+  {
+    const std::string beginning = subdirectory + name + '_';
+    for (const std::string &file : own_files(directory, OwnFile::result))
+      if (file.rfind(beginning, 0) == 0 &&
+          std::stoul(file.substr(beginning.size())) >= times_and_names.size())
+        std::filesystem::remove(directory + file);
   }
 
 
@@ -49,6 +65,7 @@ namespace Sandglass
                stem + '.' + Utilities::int_to_string(rank, 4) + ".vtu";
     };
 
+    std::filesystem::create_directories(directory + subdirectory);
     write_vtu(directory + subdirectory + piece_name(rank), piece);
     times_and_names.emplace_back(time,
                                  subdirectory + stem +

@@ -75,6 +75,17 @@ namespace Sandglass
 
 
   void
+  History::refuse_other(const std::string &directory) const
+  {
+    if (!is_writer)
+      return;
+    history_file.refuse_other(directory);
+    flow_rate_file.refuse_other(directory);
+  }
+
+
+
+  void
   History::add(const HistoryRow &row)
   {
     if (!is_writer)

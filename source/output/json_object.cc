@@ -53,6 +53,14 @@ namespace Sandglass
 
 
 
+  std::string
+  JsonObject::entry(const std::string &name, const std::string &value)
+  {
+    return quoted(name) + ": " + quoted(value);
+  }
+
+
+
   void
   JsonObject::add_entry(const std::string &name, const std::string &value)
   {

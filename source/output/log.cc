@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/base/exceptions.h>
 #include <sandglass/output/log.h>
+#include <sandglass/output/replace_file.h>
 
 #include <unistd.h>
 
@@ -30,7 +30,7 @@ namespace Sandglass
       file.open(filename, appends ? std::ios::app : std::ios::trunc);
       file << text_before_file << std::flush;
       if (!file)
-        throw RunError("The log '" + filename + "' can't be written.");
+        throw_unwritable(filename);
       text_before_file.clear();
     }
 
@@ -58,6 +58,7 @@ namespace Sandglass
     record_error(const std::string &line)
     {
       end_open_line();
+      file.clear(); // a full disk may have room again
       const std::string text = line + '\n';
       write_file(text.data(), text.size());
       sync();

@@ -2,7 +2,9 @@
 
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/output/closing_lines.h>
 #include <sandglass/output/observers.h>
+#include <sandglass/output/output_directory.h>
 
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
@@ -35,10 +37,23 @@ namespace Sandglass
     , grid(parameters.directory, "grid", communicator)
     , wall_tractions(parameters, scene, material)
   {
+    summary.formulation   = scene.formulation;
     summary.n_ranks       = Utilities::MPI::n_mpi_processes(communicator);
     summary.n_cells       = scene.triangulation.n_active_cells();
     summary.resolution    = resolution;
     summary.has_flow_rate = SiloMeasures<dim>(scene).has_open_outlet;
+  }
+
+
+
+  template <int dim>
+  void
+  Observers<dim>::begin(const FlowView &view)
+  {
+    update_summary(view.clock(), totals(view));
+    summary.n_particles  = summary.totals.n_particles;
+    summary.initial_mass = summary.totals.mass();
+    write_summary(Status::running);
   }
 
 
@@ -58,10 +73,27 @@ namespace Sandglass
       std::vector<WallTraction> tractions;
       if (parameters.writes_walls && at_rest != nullptr)
         tractions = wall_tractions.at_rest(at_rest->wall_records);
+      largest_pressure.add(tractions, summary.has_flow_rate);
       observe_fields(view, std::move(tractions));
     }
-    write_summary("running");
+    write_summary(Status::running);
     progress.start(view.clock().time);
+  }
+
+
+
+  template <int dim>
+  void
+  Observers<dim>::refuse_other_tables(const std::string &archived,
+                                      const std::string &directory)
+  {
+    const std::string message = shared_error(communicator, [&]() {
+      load(archived);
+      history.refuse_other(directory);
+      wall_tractions.refuse_other(directory);
+    });
+    if (!message.empty())
+      throw InputError(message, "Output", "Directory");
   }
 
 
@@ -92,19 +124,28 @@ namespace Sandglass
 
   template <int dim>
   void
+  Observers<dim>::load(const std::string &archived)
+  {
+    std::istringstream              state(archived);
+    boost::archive::binary_iarchive archive(state);
+    archive >> *this;
+  }
+
+
+
+  template <int dim>
+  void
   Observers<dim>::restore(const std::string &archived, const FlowView &view)
   {
     {
-      TimerOutput::Scope              scope(timings, Timing::output);
-      std::istringstream              state(archived);
-      boost::archive::binary_iarchive archive(state);
-      archive >> *this;
+      TimerOutput::Scope scope(timings, Timing::output);
+      load(archived);
       for (Schedule *times : {&history_times, &field_times})
         times->pass(view.clock().time);
       open_files();
       update_summary(view.clock(), totals(view));
     }
-    write_summary("running");
+    write_summary(Status::running);
   }
 
 
@@ -144,7 +185,7 @@ namespace Sandglass
         observe_fields(view, observe_walls(view));
     }
     if (fields_are_due)
-      write_summary("running");
+      write_summary(Status::running);
   }
 
 
@@ -168,8 +209,25 @@ namespace Sandglass
   void
   Observers<dim>::finish()
   {
-    write_summary("finished");
+    write_summary(Status::finished);
     timings.print_summary();
+    if (log.stream().is_active())
+      log.stream() << closing_lines(summary,
+                                    history.beverloo_rates(),
+                                    parameters.directory)
+                   << std::flush;
+  }
+
+
+
+  template <int dim>
+  void
+  Observers<dim>::stop(const FlowView &view, const std::string &message)
+  {
+    finish_writing();
+    update_summary(view.clock(), totals(view));
+    write_summary(Status::stopped, message);
+    log.record_error(message);
   }
 
 
@@ -182,13 +240,26 @@ namespace Sandglass
       {
         writing.finish();
       }
-    catch (const RunError &error)
+    catch (const std::exception &error)
       {
-        log.record_error(error.what());
+        log.record_error(message_of(error));
       }
     log.record_error(message);
-    if (is_writer)
-      write_summary_file("failed", message);
+    try
+      {
+        if (is_writer)
+          write_summary_on_rank(Status::failed, message);
+        else
+          amend_summary_file(parameters.directory,
+                             Status::failed,
+                             message,
+                             Utilities::MPI::this_mpi_process(communicator));
+      }
+    catch (const std::exception &error)
+      {
+        // The first failure is the one to tell.
+        log.record_error(message_of(error));
+      }
   }
 
 

@@ -7,7 +7,6 @@
 #include <sandglass/output/json_object.h>
 #include <sandglass/output/observers.h>
 #include <sandglass/output/output_directory.h>
-#include <sandglass/output/replace_file.h>
 
 #include <cmath>
 #include <utility>
@@ -96,7 +95,10 @@ namespace Sandglass
   {
     if (!parameters.writes_walls)
       return {};
-    return wall_tractions.since_last(view.clock().time, view.wall_records());
+    std::vector<WallTraction> tractions =
+      wall_tractions.since_last(view.clock().time, view.wall_records());
+    largest_pressure.add(tractions, summary.has_flow_rate);
+    return tractions;
   }
 
 
@@ -142,11 +144,12 @@ namespace Sandglass
 
   template <int dim>
   void
-  Observers<dim>::write_summary(const std::string &status)
+  Observers<dim>::write_summary(const std::string &status,
+                                const std::string &message)
   {
     do_and_share_errors(communicator, [&]() {
       if (is_writer)
-        write_summary_file(status, "");
+        write_summary_on_rank(status, message);
     });
   }
 
@@ -154,8 +157,8 @@ namespace Sandglass
 
   template <int dim>
   void
-  Observers<dim>::write_summary_file(const std::string &status,
-                                     const std::string &message)
+  Observers<dim>::write_summary_on_rank(const std::string &status,
+                                        const std::string &message)
   {
     summary.status  = status;
     summary.message = message;
@@ -165,10 +168,12 @@ namespace Sandglass
                        Timing::seconds(timings, Timing::output)};
     if (summary.has_flow_rate)
       summary.flow = history.flow_summary();
+    if (parameters.writes_walls)
+      summary.largest_pressure = largest_pressure;
 
     JsonObject json;
     json.add(summary_table, summary);
-    replace_file(parameters.directory + "/summary.json", json.text());
+    write_summary_file(parameters.directory, json.text());
   }
 
 

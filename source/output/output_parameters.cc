@@ -1,3 +1,4 @@
+#include <sandglass/base/exceptions.h>
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/output/output_parameters.h>
 
@@ -12,7 +13,8 @@ namespace Sandglass
              "Directory",
              directory,
              dealii::Patterns::DirectoryName(),
-             "Where the results go; made if it doesn't exist.");
+             "Where the results go; made if it doesn't exist. A run that starts "
+             "removes those of older runs there.");
     add_number(*this,
                "Interval",
                interval,
@@ -71,6 +73,18 @@ namespace Sandglass
                Bounds::at_least(0.),
                "s",
                "Simulated time between checkpoints, from which --restart goes "
-               "on; 0 writes none.");
+               "on; 0 writes none but when a signal stops the run.");
+  }
+
+
+
+  void
+  OutputParameters::check() const
+  {
+    if (directory.empty())
+      throw InputError("Output",
+                       "Directory",
+                       directory,
+                       "allowed is the name of a directory");
   }
 } // namespace Sandglass

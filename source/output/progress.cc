@@ -88,6 +88,34 @@ namespace Sandglass
 
 
 
+  RestProgress::RestProgress(Log &log, const double interval)
+    : log(log)
+    , interval(interval)
+    , start_moment(WallClock::now())
+    , last_moment(start_moment)
+  {}
+
+
+
+  void
+  RestProgress::after_load_step(const double load_share)
+  {
+    const auto now = WallClock::now();
+    if (interval == 0. || !log.stream().is_active() ||
+        to_seconds(now - last_moment) < interval)
+      return;
+    last_moment = now;
+    std::ostringstream line;
+    line << "State at rest: " << std::setprecision(3) << 100. * load_share
+         << " % of the weight, "
+         << duration_to_text(to_seconds(now - start_moment) *
+                             (1. - load_share) / load_share)
+         << " left";
+    log.show_progress(line.str());
+  }
+
+
+
   std::string
   duration_to_text(const double seconds)
   {

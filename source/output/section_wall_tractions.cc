@@ -48,6 +48,15 @@ namespace Sandglass
 
 
 
+  void
+  WallTractions<2>::refuse_other(const std::string &directory) const
+  {
+    if (is_writer)
+      table.refuse_other(directory);
+  }
+
+
+
   std::vector<WallTractions<2>::PlacedRecord>
   WallTractions<2>::collect(const WallRecords &records) const
   {

@@ -24,6 +24,12 @@ namespace Sandglass
     {
       return summary.has_flow_rate;
     }
+
+    bool
+    has_pressure(const Summary &summary)
+    {
+      return summary.largest_pressure && summary.largest_pressure->is_known();
+    }
   } // namespace
 
 
@@ -32,11 +38,12 @@ namespace Sandglass
     {"status",
      "",
      [](const Summary &s) { return s.status; },
-     "`running`, `finished` or `failed`"},
+     "`running`, which a run that was killed stays; `finished`; `failed` with "
+     "an error; `stopped` by a signal, with a checkpoint to go on from"},
     {"message",
      "",
      [](const Summary &s) { return s.message; },
-     "of the error that ended the run",
+     "what ended the run before its time",
      [](const Summary &s) { return !s.message.empty(); }},
     {"version",
      "",
@@ -221,6 +228,32 @@ namespace Sandglass
      [](const Summary &s) { return s.flow.slipping_wall_share; },
      "mean over the middle half of the discharged mass",
      has_flow_rate},
+    {"largest_wall_pressure_Pa",
+     "Pa",
+     [](const Summary &s) { return s.largest_pressure->pressure; },
+     "the largest `normal_Pa` of `wall_traction.csv`, without that of an "
+     "outlet before it opens; with the next four left out where there is none",
+     has_pressure},
+    {"largest_wall_pressure_wall",
+     "",
+     [](const Summary &s) { return s.largest_pressure->wall; },
+     "on which wall it was",
+     has_pressure},
+    {"largest_wall_pressure_x_m",
+     "m",
+     [](const Summary &s) { return s.largest_pressure->x; },
+     "where",
+     has_pressure},
+    {"largest_wall_pressure_y_m",
+     "m",
+     [](const Summary &s) { return s.largest_pressure->y; },
+     "where",
+     has_pressure},
+    {"largest_wall_pressure_time_s",
+     "s",
+     [](const Summary &s) { return s.largest_pressure->time; },
+     "when",
+     has_pressure},
     {"end_time_s",
      "s",
      [](const Summary &s) { return s.clock.time; },

@@ -1,4 +1,4 @@
-#include <sandglass/base/exceptions.h>
+#include <sandglass/output/replace_file.h>
 #include <sandglass/output/vtu_file.h>
 
 #include <vtkAOSDataArrayTemplate.h>
@@ -13,6 +13,8 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <array>
+#include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <type_traits>
 
@@ -25,10 +27,15 @@ namespace Sandglass
 
   namespace
   {
+    /// Without the part that has been written.
     [[noreturn]] void
-    throw_unwritable(const std::string &filename)
+    give_up(const std::string &filename)
     {
-      throw RunError("'" + filename + "' can't be written. Is the disk full?");
+      const int       reason = errno;
+      std::error_code ignored;
+      std::filesystem::remove(filename, ignored);
+      errno = reason;
+      throw_unwritable(filename);
     }
 
 
@@ -147,8 +154,9 @@ namespace Sandglass
     // but takes ten times as long.
     writer->SetCompressorTypeToLZ4();
     writer->SetCompressionLevel(1);
-    if (writer->Write() == 0)
-      throw_unwritable(filename);
+    errno = 0;
+    if (writer->Write() == 0 || writer->GetErrorCode() != 0)
+      give_up(filename);
   }
 
 
@@ -158,6 +166,7 @@ namespace Sandglass
              const VtuPiece                 &piece,
              const std::vector<std::string> &piece_names)
   {
+    errno = 0;
     std::ofstream file(filename);
     file << "<?xml version=\"1.0\"?>\n"
             "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\">\n"
@@ -172,6 +181,6 @@ namespace Sandglass
     file << "  </PUnstructuredGrid>\n"
             "</VTKFile>\n";
     if (!file.flush())
-      throw_unwritable(filename);
+      give_up(filename);
   }
 } // namespace Sandglass

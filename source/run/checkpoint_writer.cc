@@ -23,6 +23,7 @@ namespace Sandglass
   CheckpointWriter<dim>::pass(const double time)
   {
     times.pass(time);
+    last_time = time;
   }
 
 
@@ -49,12 +50,22 @@ namespace Sandglass
 
   template <int dim>
   void
+  CheckpointWriter<dim>::at_stop(Part<dim> &part)
+  {
+    if (part.flow->view().clock().time != last_time)
+      write(part);
+  }
+
+
+
+  template <int dim>
+  void
   CheckpointWriter<dim>::write(Part<dim> &part)
   {
     TimerOutput::Scope scope(timings, Timing::output);
     const MPI_Comm     communicator = part.scene.communicator;
     const Checkpoint   checkpoint   = part.take_checkpoint();
-    times.pass(checkpoint.time);
+    pass(checkpoint.time);
     do_and_share_errors(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         write_checkpoint(parameters.directory, fingerprint, checkpoint);

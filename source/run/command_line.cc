@@ -24,6 +24,10 @@ namespace Sandglass
           options::value<std::string>()->value_name("DIRECTORY"),
           "where to write results; overrides Output/Directory");
       add("restart", "go on from the output directory's checkpoint");
+      add("restart-from",
+          options::value<std::string>()->value_name("PATH"),
+          "go on from the checkpoint in another directory, or from a certain "
+          "checkpoint, such as DIRECTORY/checkpoint-before.bin");
       add("quiet", "print errors only");
       add("validate", "read and check the parameters and the mesh, then stop");
       add("study",
@@ -56,12 +60,28 @@ namespace Sandglass
         return is_given("validate") ? CommandLine::Task::validate :
                                       CommandLine::Task::run;
       const std::string task = is_given("study") ? "study" : "element-test";
-      for (const std::string option : {"element-test", "validate", "restart"})
+      for (const std::string option :
+           {"element-test", "validate", "restart", "restart-from"})
         if (option != task && is_given(option))
           throw InputError("Command line: --" + task + " and --" + option +
                            " don't go together; allowed is one of the two");
       return is_given("study") ? CommandLine::Task::study :
                                  CommandLine::Task::element_test;
+    }
+
+    /// A directory or file that has to have a name; empty without the option.
+    /// Throws InputError.
+    std::string
+    path(const options::variables_map &values, const std::string &option)
+    {
+      if (values.count(option) == 0)
+        return "";
+      const std::string result = values[option].as<std::string>();
+      if (result.empty())
+        throw InputError("Command line: --" + option +
+                         " ''; allowed is the name of a directory" +
+                         (option == "output" ? "" : " or of a checkpoint"));
+      return result;
     }
 
     CommandLine
@@ -96,9 +116,10 @@ namespace Sandglass
         }
       if (values.count("set") > 0)
         result.settings = values["set"].as<std::vector<std::string>>();
-      if (values.count("output") > 0)
-        result.output_directory = values["output"].as<std::string>();
-      result.is_restart = values.count("restart") > 0;
+      result.output_directory = path(values, "output");
+      result.restart_from     = path(values, "restart-from");
+      result.is_restart =
+        values.count("restart") > 0 || !result.restart_from.empty();
       result.is_quiet   = values.count("quiet") > 0;
       return result;
     }
@@ -111,7 +132,7 @@ namespace Sandglass
   {
     std::ostringstream text;
     text << "Usage: sandglass FILE.prm [-s \"Section/Name=value\"]... "
-            "[-o DIRECTORY] [--restart] [--quiet]\n"
+            "[-o DIRECTORY] [--restart | --restart-from PATH] [--quiet]\n"
             "       sandglass --validate FILE.prm\n"
             "       sandglass --study convergence|smallest-outlet FILE.prm\n"
             "       sandglass --element-test FILE.prm\n"
@@ -119,7 +140,9 @@ namespace Sandglass
             "       sandglass --print-outputs\n"
             "       mpirun -n N sandglass FILE.prm\n\n"
          << visible_options()
-         << "\nExit code: 0 done, 1 the run failed, 2 the input was refused.";
+         << "\nExit code: 0 done, 1 the run failed, 2 the input was refused, "
+            "130 or 143\nSIGINT or SIGTERM stopped the run, which --restart "
+            "goes on with.";
     return text.str();
   }
 

@@ -9,6 +9,7 @@
 #include <sandglass/scene/make_mesh.h>
 
 #include <optional>
+#include <sstream>
 
 namespace Sandglass
 {
@@ -20,13 +21,15 @@ namespace Sandglass
     {
     public:
       /// Read the input; nothing is written yet.
-      Simulation(const Parameters &parameters,
-                 const bool        is_restart,
-                 const MPI_Comm    communicator,
-                 Log              &log);
+      Simulation(const Parameters  &parameters,
+                 const CommandLine &command_line,
+                 const MPI_Comm     communicator,
+                 Log               &log);
 
+      /// Into a directory that this run has for itself.
       RunResult
-      run();
+      run(OutputDirectory             &directory,
+          const std::function<void()> &before_writing);
 
     private:
       Mesh<dim>
@@ -35,27 +38,39 @@ namespace Sandglass
       std::unique_ptr<Part<dim>>
       make_part(const std::vector<unsigned int> &cell_weights);
 
-      /// The checkpoint to go on from, if the command line asks for that; the
-      /// part is then on its partition.
-      std::optional<Checkpoint>
-      find_checkpoint();
+      /// The place of the checkpoint to go on from, if the command line asks for
+      /// that.
+      std::optional<CheckpointPlace>
+      checkpoint_place() const;
+
+      /// That checkpoint; the part is then on its partition.
+      Checkpoint
+      find_checkpoint(const CheckpointPlace &place);
+
+      RunResult
+      run_to_end(const std::optional<Checkpoint> &checkpoint,
+                 StopSignals                     &signals);
 
       void
-      start();
+      start(StopSignals &signals);
 
       void
       go_on_from(const Checkpoint &checkpoint);
 
       /// Run to the end. Ranks share the cells out anew where they should.
       void
-      flow_to_end();
+      flow_to_end(StopSignals &signals);
 
       /// Run to the end, or until the ranks should share the cells out anew.
       void
-      flow_on_partition();
+      flow_on_partition(StopSignals &signals);
+
+      /// Leave a checkpoint. Collective.
+      [[noreturn]] void
+      stop(const int signal);
 
       const Parameters          &parameters;
-      const bool                 is_restart;
+      const CommandLine         &command_line;
       const MPI_Comm             communicator;
       Log                       &log;
       TimerOutput                timings;
@@ -68,12 +83,12 @@ namespace Sandglass
 
 
     template <int dim>
-    Simulation<dim>::Simulation(const Parameters &parameters,
-                                const bool        is_restart,
-                                const MPI_Comm    communicator,
-                                Log              &log)
+    Simulation<dim>::Simulation(const Parameters  &parameters,
+                                const CommandLine &command_line,
+                                const MPI_Comm     communicator,
+                                Log               &log)
       : parameters(parameters)
-      , is_restart(is_restart)
+      , command_line(command_line)
       , communicator(communicator)
       , log(log)
       // Times of this rank alone: otherwise deal.II adds a warning to each
@@ -116,58 +131,130 @@ namespace Sandglass
 
     template <int dim>
     RunResult
-    Simulation<dim>::run()
+    Simulation<dim>::run(OutputDirectory             &directory,
+                         const std::function<void()> &before_writing)
     {
-      const std::optional<Checkpoint> checkpoint = find_checkpoint();
-      prepare_output_directory(parameters.output,
-                               is_restart,
-                               communicator,
-                               log);
+      const std::optional<CheckpointPlace> place = checkpoint_place();
+      std::optional<Checkpoint>            checkpoint;
+      if (place)
+        checkpoint = find_checkpoint(*place);
+      if (before_writing)
+        before_writing();
+      if (place)
+        directory.go_on(place->directory, log);
+      else
+        directory.start(log);
+      StopSignals signals(communicator);
       try
         {
+          directory.write_parameters();
           if (checkpoint)
-            go_on_from(*checkpoint);
-          else
-            start();
-          flow_to_end();
-          part->observers.observe_end(part->flow->view());
-          checkpoints.at_end(*part);
-          part->observers.finish();
-          return {part->observers.what_happened(), part->observers.discharge()};
+            log.stream() << "Goes on from " << place->file
+                         << ", t = " << checkpoint->time << " s" << std::endl;
+          return run_to_end(checkpoint, signals);
+        }
+      catch (const RunStopped &)
+        {
+          throw;
         }
       catch (const RunError &error)
         {
           part->observers.finish_after_failure(error.what());
           throw;
         }
+      catch (const std::exception &error)
+        {
+          // Perhaps on this rank only.
+          const std::string message = message_of(error);
+          part->observers.finish_after_failure(message);
+          throw std::runtime_error(message);
+        }
     }
 
 
 
     template <int dim>
-    std::optional<Checkpoint>
-    Simulation<dim>::find_checkpoint()
+    std::optional<CheckpointPlace>
+    Simulation<dim>::checkpoint_place() const
     {
-      if (!is_restart)
+      if (!command_line.is_restart)
         return {};
-      const Checkpoint checkpoint =
-        read_checkpoint(parameters.output.directory,
-                        fingerprint,
-                        parameters.particle_stage.end_time);
+      return CheckpointPlace(command_line.restart_from.empty() ?
+                               parameters.output.directory :
+                               command_line.restart_from);
+    }
+
+
+
+    template <int dim>
+    Checkpoint
+    Simulation<dim>::find_checkpoint(const CheckpointPlace &place)
+    {
+      Checkpoint checkpoint =
+        read_checkpoint(place, fingerprint, parameters.particle_stage.end_time);
       if (checkpoint.cell_weights != part->scene.cell_weights)
         part = make_part(checkpoint.cell_weights);
+      part->observers.refuse_other_tables(checkpoint.observers,
+                                          place.directory);
       return checkpoint;
     }
 
 
 
     template <int dim>
-    void
-    Simulation<dim>::start()
+    RunResult
+    Simulation<dim>::run_to_end(const std::optional<Checkpoint> &checkpoint,
+                                StopSignals                     &signals)
     {
+      if (checkpoint)
+        go_on_from(*checkpoint);
+      else
+        start(signals);
+      flow_to_end(signals);
+      part->observers.observe_end(part->flow->view());
+      part->observers.finish();
+      // From which a later end can be reached; killed before it, the run has
+      // finished, and an earlier one does as well.
+      checkpoints.at_end(*part);
+      return {part->observers.what_happened(), part->observers.discharge()};
+    }
+
+
+
+    template <int dim>
+    void
+    Simulation<dim>::start(StopSignals &signals)
+    {
+      Observers<dim> &observers = part->observers;
+      observers.begin(part->flow->view());
       const std::optional<AtRest> at_rest =
-        find_state_at_rest(parameters, *part, log, timings);
-      part->observers.start(part->flow->view(), at_rest ? &*at_rest : nullptr);
+        find_state_at_rest(parameters, *part, log, timings, [&]() {
+          const int signal = signals.now();
+          if (signal == 0)
+            return;
+          const std::string message =
+            "Stopped by " + name_of_signal(signal) +
+            " before the state at rest was found; there is no checkpoint yet, "
+            "so run it again.";
+          observers.stop(part->flow->view(), message);
+          throw RunStopped(message, signal);
+        });
+      observers.start(part->flow->view(), at_rest ? &*at_rest : nullptr);
+    }
+
+
+
+    template <int dim>
+    void
+    Simulation<dim>::stop(const int signal)
+    {
+      checkpoints.at_stop(*part);
+      std::ostringstream message;
+      message << "Stopped by " << name_of_signal(signal)
+              << " at t = " << part->flow->view().clock().time
+              << " s; go on with --restart.";
+      part->observers.stop(part->flow->view(), message.str());
+      throw RunStopped(message.str(), signal);
     }
 
 
@@ -184,9 +271,10 @@ namespace Sandglass
 
     template <int dim>
     void
-    Simulation<dim>::flow_to_end()
+    Simulation<dim>::flow_to_end(StopSignals &signals)
     {
-      for (flow_on_partition(); !part->flow->is_finished(); flow_on_partition())
+      for (flow_on_partition(signals); !part->flow->is_finished();
+           flow_on_partition(signals))
         {
           log.stream() << "t = " << part->flow->view().clock().time
                        << " s: ranks share the cells out anew" << std::endl;
@@ -200,7 +288,7 @@ namespace Sandglass
 
     template <int dim>
     void
-    Simulation<dim>::flow_on_partition()
+    Simulation<dim>::flow_on_partition(StopSignals &signals)
     {
       Flow &flow = *part->flow;
       // The balance is looked at before a step, so that a run that goes on from
@@ -213,6 +301,8 @@ namespace Sandglass
           }
           part->observers.after_step(flow.view());
           checkpoints.after_step(*part);
+          if (const int signal = signals.after_step())
+            stop(signal);
         }
     }
   } // namespace
@@ -224,12 +314,17 @@ namespace Sandglass
       const CommandLine              &command_line,
       const std::vector<std::string> &warnings,
       const MPI_Comm                  communicator,
-      Log                            &log)
+      Log                            &log,
+      const std::function<void()>    &before_writing)
   {
     const bool only_checks = command_line.task == CommandLine::Task::validate;
-    std::optional<RunResult> result;
+    std::optional<RunResult>       result;
+    std::optional<OutputDirectory> directory;
     if (!only_checks)
-      log.stream() << banner(communicator) << std::flush;
+      {
+        log.stream() << banner(communicator) << std::flush;
+        directory.emplace(parameters.output.directory, communicator);
+      }
     log.warn(warnings);
     choose(
       AllKinematics(),
@@ -239,12 +334,9 @@ namespace Sandglass
       },
       [&](const auto kinematics) {
         constexpr int   dim = decltype(kinematics)::Type::dim;
-        Simulation<dim> simulation(parameters,
-                                   command_line.is_restart,
-                                   communicator,
-                                   log);
-        if (!only_checks)
-          result.emplace(simulation.run());
+        Simulation<dim> simulation(parameters, command_line, communicator, log);
+        if (directory)
+          result.emplace(simulation.run(*directory, before_writing));
       });
     return result;
   }

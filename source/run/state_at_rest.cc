@@ -17,15 +17,21 @@ namespace Sandglass
     /// where it settles too much or finds no state at rest.
     template <int dim>
     StaticState<dim>
-    settle(StaticStage<dim>         &static_stage,
-           const Scene<dim>         &scene,
-           const MaterialParameters &material,
-           Log                      &log)
+    settle(StaticStage<dim>            &static_stage,
+           const Scene<dim>            &scene,
+           const Parameters            &parameters,
+           Log                         &log,
+           const std::function<void()> &after_load_step)
     {
+      const MaterialParameters &material = parameters.material;
+      RestProgress     progress(log, parameters.output.progress_interval);
       StaticState<dim> state;
       try
         {
-          state = static_stage.run();
+          state = static_stage.run([&](const double load_share) {
+            progress.after_load_step(load_share);
+            after_load_step();
+          });
         }
       catch (const LawFailure &failure)
         {
@@ -70,7 +76,8 @@ namespace Sandglass
   find_state_at_rest(const Parameters &parameters,
                      Part<dim>        &part,
                      Log              &log,
-                     TimerOutput      &timings)
+                     TimerOutput      &timings,
+                     const std::function<void()> &after_load_step)
   {
     if (!parameters.static_stage.is_enabled)
       return {};
@@ -81,7 +88,7 @@ namespace Sandglass
                                   parameters.static_stage,
                                   log.stream());
     const StaticState<dim> state =
-      settle(static_stage, part.scene, parameters.material, log);
+      settle(static_stage, part.scene, parameters, log, after_load_step);
     carry_to_particles(state,
                        part.scene,
                        *part.flow,
@@ -102,7 +109,8 @@ namespace Sandglass
   template std::optional<AtRest> find_state_at_rest(const Parameters &, \
                                                     Part<dim> &,        \
                                                     Log &,              \
-                                                    TimerOutput &);
+                                                    TimerOutput &,      \
+                                                    const std::function<void()> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -1,3 +1,4 @@
+#include <sandglass/output/replace_file.h>
 #include <sandglass/study/convergence_plot.h>
 #include <sandglass/study/convergence_results.h>
 #include <sandglass/study/silo_study.h>
@@ -60,7 +61,8 @@ namespace Sandglass
     {"status",
      "",
      [](const ConvergenceResults &r) { return r.status; },
-     "`running`, `finished` or `failed`"},
+     "`running`, which a study that was killed stays; `finished`, `failed`, or "
+     "`stopped` by a signal"},
     {"message",
      "",
      [](const ConvergenceResults &r) { return r.message; },

@@ -29,7 +29,12 @@ namespace Sandglass
                        const CommandLine   &command_line,
                        const ParameterFile &file,
                        const MPI_Comm       communicator)
-        : SiloStudy(parameters, command_line, file, communicator, "convergence")
+        : SiloStudy(parameters,
+                    command_line,
+                    file,
+                    communicator,
+                    "convergence",
+                    "refinement-")
       {
         const ConvergencePlan plan = plan_convergence(parameters, file);
         refinements                = plan.refinements;
@@ -113,11 +118,11 @@ namespace Sandglass
     ConvergenceStudy::run_at(const double refinement)
     {
       set_parameter("Scene", "Refinement", refinement);
-      const std::string own = "refinement-" + short_text(refinement);
+      const std::string which = short_text(refinement);
       log.stream() << run_in_words() << ": cells "
                    << to_text(parameters.scene.resolution()) << "; in "
-                   << directory << '/' << own << std::endl;
-      return judge(run_in(own, file.warnings()), refinement);
+                   << directory << '/' << subdirectory(which) << std::endl;
+      return judge(run_in(which, file.warnings()), refinement);
     }
 
 

@@ -1,6 +1,5 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/base/parameter_entries.h>
-#include <sandglass/output/output_directory.h>
 #include <sandglass/study/silo_study.h>
 
 #include <iomanip>
@@ -45,32 +44,50 @@ namespace Sandglass
                        const CommandLine   &command_line,
                        const ParameterFile &file,
                        const MPI_Comm       communicator,
-                       const std::string   &name)
+                       const std::string   &name,
+                       const std::string   &subdirectories)
     : parameters(parameters)
     , command_line(command_line)
     , file(file)
     , communicator(communicator)
-    , directory(parameters.output.directory)
+    , output(parameters.output.directory, communicator)
+    , directory(output.path)
     , log(communicator,
           command_line.is_quiet ? Log::Screen::nothing :
                                   Log::Screen::everything)
+    , subdirectories(subdirectories)
   {
     check_flowing_silo(parameters.scene, name);
   }
 
 
 
-  RunResult
-  SiloStudy::run_in(const std::string              &subdirectory,
-                    const std::vector<std::string> &warnings) const
+  void
+  SiloStudy::begin()
   {
-    set_parameter("Output", "Directory", directory + "/" + subdirectory);
+    if (has_begun)
+      return;
+    output.start(log);
+    output.clear_subdirectories(subdirectories);
+    write_results(Status::running, "");
+    has_begun = true;
+  }
+
+
+
+  RunResult
+  SiloStudy::run_in(const std::string              &which,
+                    const std::vector<std::string> &warnings)
+  {
+    set_parameter("Output", "Directory", directory + "/" + subdirectory(which));
     CommandLine run_only = command_line;
     run_only.task        = CommandLine::Task::run;
     Log run_log(communicator,
                 command_line.is_quiet ? Log::Screen::nothing :
                                         Log::Screen::progress);
-    return *run(parameters, run_only, warnings, communicator, run_log);
+    return *run(parameters, run_only, warnings, communicator, run_log, [this]() {
+      begin();
+    });
   }
 
 
@@ -78,7 +95,7 @@ namespace Sandglass
   void
   SiloStudy::write_results()
   {
-    write_results("running", "");
+    write_results(Status::running, "");
   }
 
 
@@ -88,14 +105,20 @@ namespace Sandglass
                            const std::string &message)
   {
     do_and_share_errors(communicator, [&]() {
-      if (Utilities::MPI::this_mpi_process(communicator) != 0)
-        return;
-      // The first run has made the directory.
-      if (!has_log_file)
-        log.open_file(directory + "/sandglass.log", false);
-      has_log_file = true;
-      write(status, message);
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        write(status, message);
     });
+  }
+
+
+
+  std::string
+  SiloStudy::keep_results(const std::string &status, const std::string &what)
+  {
+    const std::string message = run_in_words() + ": " + what;
+    write_results(status, message);
+    log.record_error(message);
+    return message;
   }
 
 
@@ -103,10 +126,7 @@ namespace Sandglass
   void
   SiloStudy::fail(const std::string &what)
   {
-    const std::string message = run_in_words() + ": " + what;
-    write_results("failed", message);
-    log.record_error(message);
-    throw RunError(message);
+    throw RunError(keep_results(Status::failed, what));
   }
 
 
@@ -117,6 +137,16 @@ namespace Sandglass
     try
       {
         make_runs();
+      }
+    catch (const RunStopped &stop)
+      {
+        // The run could go on, but the study can't.
+        throw RunStopped(keep_results(Status::stopped,
+                                      "Stopped by " +
+                                        name_of_signal(stop.signal) +
+                                        "; the runs before it are kept. A "
+                                        "study starts anew."),
+                         stop.signal);
       }
     catch (const RunError &error)
       {
@@ -129,7 +159,7 @@ namespace Sandglass
           throw;
         fail(error.what());
       }
-    write_results("finished", "");
+    write_results(Status::finished, "");
     log.stream() << conclusion() << "Results are in " << directory << std::endl;
   }
 

@@ -28,7 +28,8 @@ namespace Sandglass
     {"status",
      "",
      [](const SmallestOutlet &s) { return s.status; },
-     "`running`, `finished` or `failed`"},
+     "`running`, which a study that was killed stays; `finished`, `failed`, or "
+     "`stopped` by a signal"},
     {"message",
      "",
      [](const SmallestOutlet &s) { return s.message; },

@@ -105,7 +105,8 @@ namespace Sandglass
                   command_line,
                   file,
                   communicator,
-                  "smallest-outlet")
+                  "smallest-outlet",
+                  "outlet-half-width-")
       , first_half_width(parameters.scene.outlet_half_width)
       , hopper_slope(parameters.scene.hopper_height > 0. ?
                        (parameters.scene.half_width - first_half_width) /
@@ -209,12 +210,12 @@ namespace Sandglass
     SmallestOutletStudy::attempt(const double half_width)
     {
       set_outlet(half_width);
-      const std::string own = "outlet-half-width-" + short_text(half_width);
-      log.stream() << run_in_words() << " m; in " << directory << '/' << own
-                   << std::endl;
+      const std::string which = short_text(half_width);
+      log.stream() << run_in_words() << " m; in " << directory << '/'
+                   << subdirectory(which) << std::endl;
       const std::vector<std::string> warnings =
         results.trials.empty() ? file.warnings() : std::vector<std::string>();
-      const OutletTrial trial = judge(run_in(own, warnings), half_width);
+      const OutletTrial trial = judge(run_in(which, warnings), half_width);
       results.trials.push_back(trial);
       log.stream() << "  " << (trial.flows ? "flows" : "stands") << ", "
                    << short_text(trial.flow_rate) << " kg/s" << std::endl;

@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
+#include <sandglass/run/checkpoint_files.h>
 
 #include "unit/output_silo.h"
 
@@ -252,10 +253,10 @@ namespace
   {
     expect_refusal_after(
       [](SmallSilo &silo) {
-        std::filesystem::resize_file(checkpoint_file(silo.output.directory),
-                                     5000);
+        std::filesystem::resize_file(
+          CheckpointFiles(silo.output.directory).last, 5000);
       },
-      "can't be read");
+      "is damaged");
   }
 
 
@@ -264,7 +265,7 @@ namespace
   {
     expect_refusal_after(
       [](SmallSilo &silo) {
-        std::filesystem::remove(checkpoint_file(silo.output.directory));
+        std::filesystem::remove(CheckpointFiles(silo.output.directory).last);
       },
       "there is no '");
   }

@@ -139,7 +139,8 @@ namespace Sandglass
     void
     run(const double end_time = 1e300, const AtRest *at_rest = nullptr)
     {
-      prepare_output_directory(silo.output, false, silo.communicator, log);
+      OutputDirectory(silo.output.directory, silo.communicator).start(log);
+      observers.begin(view());
       observers.start(view(), at_rest);
       go_on(end_time);
     }
@@ -155,7 +156,7 @@ namespace Sandglass
     Checkpoint
     find_checkpoint() const
     {
-      return read_checkpoint(silo.output.directory,
+      return read_checkpoint(CheckpointPlace(silo.output.directory),
                              fingerprint,
                              silo.stage.end_time);
     }
@@ -163,7 +164,9 @@ namespace Sandglass
     void
     go_on_from(const Checkpoint &checkpoint)
     {
-      prepare_output_directory(silo.output, true, silo.communicator, log);
+      const std::string &directory = silo.output.directory;
+      part.observers.refuse_other_tables(checkpoint.observers, directory);
+      OutputDirectory(directory, silo.communicator).go_on(directory, log);
       part.go_on_from(checkpoint);
       checkpoints.pass(checkpoint.time);
     }
@@ -183,8 +186,8 @@ namespace Sandglass
       if (!flow.is_finished())
         return;
       observers.observe_end(view());
-      checkpoints.at_end(part);
       observers.finish();
+      checkpoints.at_end(part);
     }
 
     SmallSilo          &silo;

@@ -3,6 +3,7 @@
 
 #include <sandglass/base/table.h>
 #include <sandglass/element_test/element_test_row.h>
+#include <sandglass/output/summary_file.h>
 
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace Sandglass
   /// What an element test has come to so far.
   struct ElementTestResults
   {
-    std::string status;  ///< `finished` or `failed`
+    std::string status = Status::running;
     std::string message; ///< of the error; empty if there was none
     std::string law;
     std::string kind;

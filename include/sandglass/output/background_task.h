@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <future>
+#include <memory>
+#include <system_error>
 
 namespace Sandglass
 {
@@ -18,7 +20,18 @@ namespace Sandglass
     start(std::function<void()> task)
     {
       finish();
-      last = std::async(std::launch::async, std::move(task));
+      const auto shared =
+        std::make_shared<const std::function<void()>>(std::move(task));
+      const auto work = [shared]() { (*shared)(); };
+      try
+        {
+          last = std::async(std::launch::async, work);
+        }
+      catch (const std::system_error &)
+        {
+          // There is no room for a thread: in finish(), then.
+          last = std::async(std::launch::deferred, work);
+        }
     }
 
     /// Wait for the last task. Throws what it has thrown, once.
@@ -29,8 +42,15 @@ namespace Sandglass
         last.get();
     }
 
+    /// Waits.
+    ~BackgroundTask()
+    {
+      if (last.valid())
+        last.wait();
+    }
+
   private:
-    std::future<void> last; // waits when it is destroyed
+    std::future<void> last;
   };
 } // namespace Sandglass
 

@@ -31,11 +31,20 @@ namespace Sandglass
     void
     open();
 
+    /**
+     * After deserialization, before open(): throws InputError unless a file of
+     * this name in another directory, or in the same one, has what the archive
+     * knew of, and these very columns.
+     */
+    void
+    refuse_other(const std::string &directory) const;
+
     /// One value for each column.
     void
     add_row(const std::vector<ColumnValue> &values);
 
-    /// Bring all rows to the file.
+    /// Bring all rows to the file; where they don't all fit, none of them is
+    /// left there in part.
     void
     flush();
 
@@ -47,14 +56,14 @@ namespace Sandglass
     }
 
   private:
-    /// The texts with commas between them, as a line of the file.
     void
     write_line(const std::vector<std::string> &texts);
 
     const std::string              filename;
     const std::vector<std::string> columns;
     std::ofstream                  file;
-    std::uint64_t                  size = 0; ///< in bytes
+    std::uint64_t                  size = 0;      ///< in bytes
+    std::uint64_t                  size_flushed = 0; ///< likewise
   };
 
   /// The same with the columns of a table.

@@ -28,7 +28,8 @@ namespace Sandglass
                 const std::string &name,
                 const MPI_Comm     communicator);
 
-    /// After deserialization: list what the archive knew of, and no more.
+    /// After deserialization: list what the archive knew of, and remove what
+    /// was written later. The first rank does it.
     void
     open() const;
 
@@ -47,6 +48,9 @@ namespace Sandglass
     /// Rewrite the .pvd in one go, so that it is complete at any moment.
     void
     write_pvd() const;
+
+    void
+    remove_later_files() const;
 
     const std::string  directory;
     const std::string  name;

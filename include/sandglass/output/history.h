@@ -79,6 +79,17 @@ namespace Sandglass
       return flow_rate;
     }
 
+    /// See FlowRateRow.
+    const std::array<double, 3> &
+    beverloo_rates() const
+    {
+      return beverloo;
+    }
+
+    /// After deserialization; see CsvFile::refuse_other(). On the writing rank.
+    void
+    refuse_other(const std::string &directory) const;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -36,6 +36,10 @@ namespace Sandglass
       return "{" + entries + "\n}\n";
     }
 
+    /// One entry as it stands in the text.
+    static std::string
+    entry(const std::string &name, const std::string &value);
+
   private:
     void
     add_entry(const std::string &name, const std::string &value);

@@ -26,8 +26,8 @@ namespace Sandglass
 
   /**
    * All that watches a run and writes what it sees into the output directory,
-   * which prepare_output_directory() has made. What a scene or the parameters
-   * don't ask for is neither computed nor mentioned.
+   * which the run has, see OutputDirectory. What a scene or the parameters don't
+   * ask for is neither computed nor mentioned.
    *
    * Fields and walls are written beside the run, and are complete when the next
    * ones are due or the run stops; other files are complete after each call.
@@ -48,6 +48,10 @@ namespace Sandglass
               Log                      &log,
               TimerOutput              &timings);
 
+    /// The run begins: from now on summary.json says so. Collective.
+    void
+    begin(const FlowView &view);
+
     /**
      * Write the state at t = 0. Collective.
      *
@@ -57,8 +61,17 @@ namespace Sandglass
     void
     start(const FlowView &view, const AtRest *at_rest);
 
-    /// Instead of start(): go on behind what observers had written when
-    /// archived() was called, in another process. Collective.
+    /**
+     * Throws InputError unless the tables in a directory, where the run that
+     * archived() has written them, are there and have these columns. Nothing is
+     * written. Collective.
+     */
+    void
+    refuse_other_tables(const std::string &archived,
+                        const std::string &directory);
+
+    /// Instead of begin() and start(): go on behind what observers had written
+    /// when archived() was called, in another process. Collective.
     void
     go_on_from(const std::string &archived, const FlowView &view);
 
@@ -81,11 +94,17 @@ namespace Sandglass
     void
     observe_end(const FlowView &view);
 
-    /// Write the summary and the timing table. Collective.
+    /// Write the summary, the timing table and what has come out. Collective.
     void
     finish();
 
-    /// Write the summary of a run that failed. Not collective.
+    /// Write the summary of a run that ends before its time, but can go on.
+    /// Collective.
+    void
+    stop(const FlowView &view, const std::string &message);
+
+    /// Write the summary of a run that failed. Not collective: the first rank
+    /// writes, and any other only what it knows, that it has failed.
     void
     finish_after_failure(const std::string &message);
 
@@ -115,10 +134,13 @@ namespace Sandglass
     {
       archive &last_history_step &last_field_step;
       archive &summary.n_particles      &summary.initial_mass;
-      archive &history &particles &grid &wall_tractions;
+      archive &history &particles &grid &wall_tractions &largest_pressure;
     }
 
   private:
+    /// What archived() has returned.
+    void
+    load(const std::string &archived);
     /// All but the progress. Collective.
     void
     restore(const std::string &archived, const FlowView &view);
@@ -146,11 +168,13 @@ namespace Sandglass
     /// Since the last output; empty if nobody asks.
     std::vector<WallTraction>
     observe_walls(const FlowView &view);
+    /// Collective.
     void
-    write_summary(const std::string &status);
+    write_summary(const std::string &status, const std::string &message = "");
     /// Write the file; on one rank.
     void
-    write_summary_file(const std::string &status, const std::string &message);
+    write_summary_on_rank(const std::string &status,
+                          const std::string &message);
 
     const OutputParameters &parameters;
     const MPI_Comm          communicator;
@@ -171,6 +195,7 @@ namespace Sandglass
     History            history;
     FieldSeries        particles, grid;
     WallTractions<dim> wall_tractions;
+    LargestPressure    largest_pressure;
 
     /// Writes particles, grid and wall_tractions, so it is destroyed first.
     BackgroundTask writing;

@@ -13,6 +13,10 @@ namespace Sandglass
   public:
     OutputParameters();
 
+    /// Throws InputError where the parameters make no sense.
+    void
+    check() const;
+
     std::string directory = "output/plane-flat-bottom";
 
     double interval         = 0.1;  ///< between fields and wall tractions, in s

@@ -66,6 +66,26 @@ namespace Sandglass
     State state;
   };
 
+  /// Likewise for the state at rest, whose end is a share of the weight.
+  class RestProgress
+  {
+  public:
+    /// @param interval  wall time between lines, in s; 0: no lines.
+    RestProgress(Log &log, const double interval);
+
+    /// @param load_share  of the whole weight, that has come to rest.
+    void
+    after_load_step(const double load_share);
+
+  private:
+    using WallClock = std::chrono::steady_clock;
+
+    Log                        &log;
+    const double                interval;
+    const WallClock::time_point start_moment;
+    WallClock::time_point       last_moment;
+  };
+
   /// Hours, minutes and seconds as h:mm:ss.
   std::string
   duration_to_text(const double seconds);

@@ -84,6 +84,10 @@ namespace Sandglass
     void
     open();
 
+    /// After deserialization; see CsvFile::refuse_other().
+    void
+    refuse_other(const std::string &directory) const;
+
     /**
      * The tractions at t = 0 at all nodes of all walls, sorted by wall and
      * along it, on rank 0; empty on the others. Collective.

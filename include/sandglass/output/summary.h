@@ -2,9 +2,12 @@
 #define sandglass_output_summary_h
 
 #include <sandglass/base/table.h>
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/output/flow_summary.h>
+#include <sandglass/output/largest_pressure.h>
 #include <sandglass/output/silo_totals.h>
+#include <sandglass/output/summary_file.h>
 #include <sandglass/scene/resolution.h>
 
 #include <optional>
@@ -16,9 +19,10 @@ namespace Sandglass
   /// What a run was and did, for summary.json.
   struct Summary
   {
-    std::string status;  ///< `running`, `finished` or `failed`
-    std::string message; ///< of the error; empty if there was none
+    std::string status = Status::running;
+    std::string message; ///< what ended the run before its time, or empty
 
+    Formulation   formulation = Formulation::plane_strain;
     unsigned int  n_ranks     = 1;
     unsigned long n_particles = 0; ///< at the start
     unsigned long n_cells     = 0;
@@ -42,6 +46,9 @@ namespace Sandglass
     /// Whether material can leave.
     bool        has_flow_rate = false;
     FlowSummary flow;
+
+    /// On rank 0, where wall tractions are written.
+    std::optional<LargestPressure> largest_pressure;
 
     /// Largest memory of the processes so far, summed over ranks, in MiB.
     double peak_memory = 0.;

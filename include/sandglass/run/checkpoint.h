@@ -36,27 +36,34 @@ namespace Sandglass
     }
   };
 
-  /// The checkpoint's file in an output directory.
-  std::string
-  checkpoint_file(const std::string &directory);
-
-  /// Write the file in one go. On one rank. Throws RunError.
+  /// Write it, see CheckpointFiles. On one rank. Throws RunError.
   void
   write_checkpoint(const std::string &directory,
                    const Fingerprint &fingerprint,
                    const Checkpoint  &checkpoint);
 
+  /// Where a checkpoint is.
+  struct CheckpointPlace
+  {
+    /// @param path  of a run's output directory, for its last checkpoint, or of
+    ///              the file of a checkpoint there.
+    explicit CheckpointPlace(const std::string &path);
+
+    std::string directory, file;
+  };
+
   /**
-   * Read the file. On each rank. Throws InputError if there is none, or if its
-   * run can't go on with these parameters, see refuse_changes().
+   * Read it. On each rank. Throws InputError if it isn't there or damaged, and
+   * offers the one before it then if that is whole; or if its run can't go on
+   * with these parameters, see refuse_changes().
    *
    * @param end_time  of the run, which has to be later than the checkpoint's,
    * in s.
    */
   Checkpoint
-  read_checkpoint(const std::string &directory,
-                  const Fingerprint &fingerprint,
-                  const double       end_time);
+  read_checkpoint(const CheckpointPlace &place,
+                  const Fingerprint     &fingerprint,
+                  const double           end_time);
 } // namespace Sandglass
 
 #endif

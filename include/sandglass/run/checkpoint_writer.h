@@ -29,14 +29,20 @@ namespace Sandglass
     void
     at_end(Part<dim> &part);
 
+    /// Write one now, unless after_step() has just done so. Collective.
+    void
+    at_stop(Part<dim> &part);
+
   private:
     void
     write(Part<dim> &part);
+
 
     const OutputParameters &parameters;
     const Fingerprint      &fingerprint;
     TimerOutput            &timings;
     Schedule                times;
+    double                  last_time = -1.; ///< of the last one, in s
   };
 } // namespace Sandglass
 

@@ -28,6 +28,7 @@ namespace Sandglass
     std::string              output_directory; ///< empty: the parameter file's
     std::string              print_format = "prm";
     bool                     is_restart   = false;
+    std::string              restart_from; ///< empty: the output directory
     bool                     is_quiet     = false;
   };
 

@@ -38,6 +38,7 @@ namespace Sandglass
                          std::to_string(walls.box_depth),
                          "allowed is 0 unless the formulation is plane strain");
       element_test.check();
+      output.check();
     }
   };
 } // namespace Sandglass

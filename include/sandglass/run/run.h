@@ -6,9 +6,11 @@
 #include <sandglass/output/summary.h>
 #include <sandglass/run/command_line.h>
 #include <sandglass/run/parameters.h>
+#include <sandglass/run/stop_signals.h>
 
 #include <mpi.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,12 +27,15 @@ namespace Sandglass
   /**
    * One simulation along the way of the data: parameters, scene, static stage,
    * particles, particle stage, observers. Collective. Throws InputError before
-   * anything is written, RunError when it fails later.
+   * anything is written, RunError when it fails later, RunStopped when a signal
+   * has stopped it.
    *
    * Where the command line asks for a check only, it stops when the input has
    * been read.
    *
    * @param warnings  about the parameter file, for the log.
+   * @param before_writing  is called when the input is accepted, and nothing
+   *                        has been written yet. Collective.
    * @return          nothing where it only checks.
    */
   std::optional<RunResult>
@@ -38,7 +43,8 @@ namespace Sandglass
       const CommandLine              &command_line,
       const std::vector<std::string> &warnings,
       const MPI_Comm                  communicator,
-      Log                            &log);
+      Log                            &log,
+      const std::function<void()>    &before_writing = {});
 } // namespace Sandglass
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <sandglass/run/part.h>
 
+#include <functional>
 #include <optional>
 
 namespace Sandglass
@@ -13,6 +14,7 @@ namespace Sandglass
    * static.vtu. Collective. Throws RunError, with doubts about the material's
    * stiffness where there is no state at rest or where it settles too much.
    *
+   * @param after_load_step  is called after each.
    * @return  what output shows of it; nothing where the parameters leave the
    *          static stage out, and the flow is as it was.
    */
@@ -21,7 +23,8 @@ namespace Sandglass
   find_state_at_rest(const Parameters &parameters,
                      Part<dim>        &part,
                      Log              &log,
-                     TimerOutput      &timings);
+                     TimerOutput      &timings,
+                     const std::function<void()> &after_load_step);
 } // namespace Sandglass
 
 #endif

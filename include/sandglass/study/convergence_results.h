@@ -2,6 +2,7 @@
 #define sandglass_study_convergence_results_h
 
 #include <sandglass/base/table.h>
+#include <sandglass/output/summary_file.h>
 #include <sandglass/scene/resolution.h>
 #include <sandglass/study/extrapolation.h>
 
@@ -41,7 +42,7 @@ namespace Sandglass
   /// A convergence study so far.
   struct ConvergenceResults
   {
-    std::string status;  ///< `running`, `finished` or `failed`
+    std::string status = Status::running;
     std::string message; ///< of the error; empty if there was none
 
     /// Times in s between which rates are means.

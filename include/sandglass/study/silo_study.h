@@ -5,7 +5,8 @@
 
 #include <sandglass/output/csv_file.h>
 #include <sandglass/output/json_object.h>
-#include <sandglass/output/replace_file.h>
+#include <sandglass/output/output_directory.h>
+#include <sandglass/output/summary_file.h>
 #include <sandglass/run/parameter_file.h>
 #include <sandglass/run/run.h>
 
@@ -25,7 +26,8 @@ namespace Sandglass
 
     /**
      * Make all runs. Collective. Throws InputError before anything is written,
-     * RunError that names the run which has failed; results before it are kept.
+     * RunError that names the run which has failed, RunStopped when a signal
+     * has stopped one; results before it are kept.
      */
     void
     perform();
@@ -34,11 +36,13 @@ namespace Sandglass
     /// Read the input; nothing is written yet. Throws InputError for scenes
     /// that have no flow rate, or of which the program can't make variants.
     /// @param name  on the command line.
+    /// @param subdirectories  how the names of the runs' directories begin.
     SiloStudy(Parameters          &parameters,
               const CommandLine   &command_line,
               const ParameterFile &file,
               const MPI_Comm       communicator,
-              const std::string   &name);
+              const std::string   &name,
+              const std::string   &subdirectories);
 
     /// Make the runs, and call write_results() after each.
     virtual void
@@ -62,11 +66,19 @@ namespace Sandglass
     write(const std::string &status, const std::string &message) = 0;
 
     /// One run of the parameters as they are; only progress on the screen.
+    /// @param which  the end of its directory's name.
     RunResult
-    run_in(const std::string              &subdirectory,
-           const std::vector<std::string> &warnings) const;
+    run_in(const std::string              &which,
+           const std::vector<std::string> &warnings);
 
-    /// Results so far, and the log beside them. Collective.
+    /// The directory of such a run, below the study's.
+    std::string
+    subdirectory(const std::string &which) const
+    {
+      return subdirectories + which;
+    }
+
+    /// Results so far. Collective.
     void
     write_results();
 
@@ -84,18 +96,29 @@ namespace Sandglass
     const CommandLine   &command_line;
     const ParameterFile &file;
     const MPI_Comm       communicator;
-    const std::string    directory;
+    OutputDirectory      output;
+    const std::string   &directory;
     Log                  log;
 
   private:
+    /// The first run's input is accepted: nothing of an older study is left.
+    void
+    begin();
+
     void
     write_results(const std::string &status, const std::string &message);
 
-    /// Keep the results before the run that has just failed. Collective.
+    /// Keep the results before the run that has just ended before its time.
+    /// Collective.
+    /// @return that run, and the message.
+    std::string
+    keep_results(const std::string &status, const std::string &what);
+
     [[noreturn]] void
     fail(const std::string &what);
 
-    bool has_log_file = false;
+    const std::string subdirectories;
+    bool              has_begun = false;
   };
 
   /// Write a study's study.csv and summary.json. On one rank. Throws RunError
@@ -116,7 +139,7 @@ namespace Sandglass
 
     JsonObject json;
     json.add(keys, results);
-    replace_file(directory + "/summary.json", json.text());
+    write_summary_file(directory, json.text());
   }
 
   /// A number with three digits, as in names of directories.

@@ -2,6 +2,7 @@
 #define sandglass_study_smallest_outlet_h
 
 #include <sandglass/base/table.h>
+#include <sandglass/output/summary_file.h>
 #include <sandglass/study/study.h>
 
 #include <string>
@@ -23,7 +24,7 @@ namespace Sandglass
   /// A study of the smallest outlet so far.
   struct SmallestOutlet
   {
-    std::string status;  ///< `running`, `finished` or `failed`
+    std::string status = Status::running;
     std::string message; ///< of the error; empty if there was none
 
     std::vector<OutletTrial> trials; ///< in the order in which they were made

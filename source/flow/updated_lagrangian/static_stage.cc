@@ -106,13 +106,18 @@ namespace Sandglass
 
   template <int dim>
   StaticState<dim>
-  StaticStage<dim>::run()
+  StaticStage<dim>::run(
+    const std::function<void(const double)> &after_load_step)
   {
     if (!is_finished())
       log << "Static stage: " << effort.n_unknowns << " unknowns, "
           << (effort.is_direct ? "direct solver" : "multigrid") << std::endl;
     while (!is_finished())
-      step();
+      {
+        step();
+        if (after_load_step)
+          after_load_step(load_share);
+      }
     return make_state();
   }
 

@@ -13,6 +13,7 @@
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
 #include <sandglass/material/material_parameters.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,10 +49,15 @@ namespace Sandglass
                 const StaticStageParameters &parameters,
                 ConditionalOStream          &log);
 
-    /// All load steps from here on. Logs the number of unknowns, and one line
-    /// per load step. Collective. Throws RunError as step() does.
+    /**
+     * All load steps from here on. Logs the number of unknowns, and one line
+     * per load step. Collective. Throws RunError as step() does.
+     *
+     * @param after_load_step  is called with the share of the weight that has
+     *                         come to rest.
+     */
     StaticState<dim>
-    run();
+    run(const std::function<void(const double)> &after_load_step = {});
 
     /// The next load step, cut until its end is acceptable. Collective. Throws
     /// RunError where the smallest one doesn't.
