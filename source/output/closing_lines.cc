@@ -25,9 +25,7 @@ namespace Sandglass
     unit(const Summary &summary, const std::string &of_all)
     {
       const bool is_plane = summary.formulation == Formulation::plane_strain;
-      return !is_plane            ? of_all :
-             of_all == "kg/s" ? "kg/(s m)" :
-                                    of_all + "/m";
+      return !is_plane ? of_all : of_all == "kg/s" ? "kg/(s m)" : of_all + "/m";
     }
 
 
@@ -70,12 +68,13 @@ namespace Sandglass
         return rounded(value / 1000.) + " kPa";
       };
       std::string text = "Largest wall pressure " + in_kPa(largest.pressure) +
-                         " on '" + largest.wall + "' at x = " +
-                         rounded(largest.x) + " m, y = " + rounded(largest.y) +
+                         " on '" + largest.wall +
+                         "' at x = " + rounded(largest.x) +
+                         " m, y = " + rounded(largest.y) +
                          " m, t = " + rounded(largest.time) + " s";
       if (!std::isnan(largest.eurocode))
-        text += "; EN 1991-4 has " + in_kPa(largest.eurocode) +
-                " there at discharge";
+        text +=
+          "; EN 1991-4 has " + in_kPa(largest.eurocode) + " there at discharge";
       return text + '\n';
     }
   } // namespace
@@ -100,7 +99,7 @@ namespace Sandglass
       text += masses(summary) + flow_rate(summary, beverloo);
     if (summary.largest_pressure && summary.largest_pressure->is_known())
       text += pressure(*summary.largest_pressure);
-    return text + "Results are in " + directory + "; a page with all of them: " +
-           report_command(directory) + '\n';
+    return text + "Results are in " + directory +
+           "; a page with all of them: " + report_command(directory) + '\n';
   }
 } // namespace Sandglass

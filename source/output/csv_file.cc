@@ -84,7 +84,7 @@ namespace Sandglass
                        "Directory");
     };
     std::error_code error;
-    const auto size_found = std::filesystem::file_size(there, error);
+    const auto      size_found = std::filesystem::file_size(there, error);
     if (error)
       refuse("it isn't there");
     if (size_found < size)

@@ -9,12 +9,13 @@ namespace Sandglass
   {
     using Bounds = BoundedNumber;
 
-    add_text(*this,
-             "Directory",
-             directory,
-             dealii::Patterns::DirectoryName(),
-             "Where the results go; made if it doesn't exist. A run that starts "
-             "removes those of older runs there.");
+    add_text(
+      *this,
+      "Directory",
+      directory,
+      dealii::Patterns::DirectoryName(),
+      "Where the results go; made if it doesn't exist. A run that starts "
+      "removes those of older runs there.");
     add_number(*this,
                "Interval",
                interval,

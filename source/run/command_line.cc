@@ -120,7 +120,7 @@ namespace Sandglass
       result.restart_from     = path(values, "restart-from");
       result.is_restart =
         values.count("restart") > 0 || !result.restart_from.empty();
-      result.is_quiet   = values.count("quiet") > 0;
+      result.is_quiet = values.count("quiet") > 0;
       return result;
     }
   } // namespace

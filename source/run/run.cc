@@ -38,8 +38,8 @@ namespace Sandglass
       std::unique_ptr<Part<dim>>
       make_part(const std::vector<unsigned int> &cell_weights);
 
-      /// The place of the checkpoint to go on from, if the command line asks for
-      /// that.
+      /// The place of the checkpoint to go on from, if the command line asks
+      /// for that.
       std::optional<CheckpointPlace>
       checkpoint_place() const;
 

@@ -73,10 +73,10 @@ namespace Sandglass
 
   template <int dim>
   std::optional<AtRest>
-  find_state_at_rest(const Parameters &parameters,
-                     Part<dim>        &part,
-                     Log              &log,
-                     TimerOutput      &timings,
+  find_state_at_rest(const Parameters            &parameters,
+                     Part<dim>                   &part,
+                     Log                         &log,
+                     TimerOutput                 &timings,
                      const std::function<void()> &after_load_step)
   {
     if (!parameters.static_stage.is_enabled)
@@ -105,12 +105,13 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                                                \
-  template std::optional<AtRest> find_state_at_rest(const Parameters &, \
-                                                    Part<dim> &,        \
-                                                    Log &,              \
-                                                    TimerOutput &,      \
-                                                    const std::function<void()> &);
+#define INSTANTIATE(dim)                             \
+  template std::optional<AtRest> find_state_at_rest( \
+    const Parameters &,                              \
+    Part<dim> &,                                     \
+    Log &,                                           \
+    TimerOutput &,                                   \
+    const std::function<void()> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

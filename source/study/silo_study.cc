@@ -85,9 +85,12 @@ namespace Sandglass
     Log run_log(communicator,
                 command_line.is_quiet ? Log::Screen::nothing :
                                         Log::Screen::progress);
-    return *run(parameters, run_only, warnings, communicator, run_log, [this]() {
-      begin();
-    });
+    return *run(parameters,
+                run_only,
+                warnings,
+                communicator,
+                run_log,
+                [this]() { begin(); });
   }
 
 

@@ -42,9 +42,8 @@ namespace
 
     // Too long.
     add("with a byte more", [](const std::string &text) { return text + '0'; });
-    add("with zeros behind", [](const std::string &text) {
-      return text + std::string(4096, '\0');
-    });
+    add("with zeros behind",
+        [](const std::string &text) { return text + std::string(4096, '\0'); });
     add("with a byte in front",
         [](const std::string &text) { return 'S' + text; });
     add("twice", [](const std::string &text) { return text + text; });
@@ -54,10 +53,11 @@ namespace
 
     // Single bits.
     for (unsigned int bit = 0; bit < 8; ++bit)
-      add("bit " + std::to_string(bit), [bit, share = place()](std::string text) {
-        text[share * text.size()] ^= static_cast<char>(1u << bit);
-        return text;
-      });
+      add("bit " + std::to_string(bit),
+          [bit, share = place()](std::string text) {
+            text[share * text.size()] ^= static_cast<char>(1u << bit);
+            return text;
+          });
     add("first bit", [](std::string text) {
       text.front() ^= 1;
       return text;
@@ -78,12 +78,10 @@ namespace
     add("zeroed end", [](std::string text) {
       return text.replace(text.size() - 512, 512, 512, '\0');
     });
-    add("zeroed beginning", [](std::string text) {
-      return text.replace(0, 512, 512, '\0');
-    });
-    add("all zeros", [](const std::string &text) {
-      return std::string(text.size(), '\0');
-    });
+    add("zeroed beginning",
+        [](std::string text) { return text.replace(0, 512, 512, '\0'); });
+    add("all zeros",
+        [](const std::string &text) { return std::string(text.size(), '\0'); });
     add("exchanged blocks", [](const std::string &text) {
       return text.substr(0, 1024) + text.substr(1536, 512) +
              text.substr(1024, 512) + text.substr(2048);
@@ -91,10 +89,11 @@ namespace
     add("a block twice", [](std::string text) {
       return text.replace(2048, 512, text.substr(1024, 512));
     });
-    add("another checkpoint's end", [other_checkpoint](const std::string &text) {
-      return text.substr(0, text.size() / 2) +
-             other_checkpoint.substr(other_checkpoint.size() / 2);
-    });
+    add("another checkpoint's end",
+        [other_checkpoint](const std::string &text) {
+          return text.substr(0, text.size() / 2) +
+                 other_checkpoint.substr(other_checkpoint.size() / 2);
+        });
     add("exchanged bytes", [](std::string text) {
       std::size_t i = text.size() / 3;
       while (text[i] == text[i + 1])
@@ -203,7 +202,9 @@ namespace
     files.write("content");
     EXPECT_EQ(read_checkpoint_content(files.last), "content");
     // With the checksum of that text.
-    write_text(files.last, "Sandglass checkpoint 8\n" "2d2cf360");
+    write_text(files.last,
+               "Sandglass checkpoint 8\n"
+               "2d2cf360");
     try
       {
         read_checkpoint_content(files.last);

@@ -62,7 +62,7 @@ namespace Sandglass
     const std::string              filename;
     const std::vector<std::string> columns;
     std::ofstream                  file;
-    std::uint64_t                  size = 0;      ///< in bytes
+    std::uint64_t                  size         = 0; ///< in bytes
     std::uint64_t                  size_flushed = 0; ///< likewise
   };
 

@@ -27,8 +27,8 @@ namespace Sandglass
       return pressure > 0.;
     }
 
-    double      pressure = 0.; ///< in Pa
-    double      time     = 0.; ///< in s, when the mean over time ends
+    double      pressure = 0.;  ///< in Pa
+    double      time     = 0.;  ///< in s, when the mean over time ends
     double      x = 0., y = 0.; ///< of the node, in m
     std::string wall;           ///< its name
     /// By EN 1991-4 at discharge, and Janssen's, there, in Pa; NaN where they

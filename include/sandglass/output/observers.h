@@ -26,8 +26,8 @@ namespace Sandglass
 
   /**
    * All that watches a run and writes what it sees into the output directory,
-   * which the run has, see OutputDirectory. What a scene or the parameters don't
-   * ask for is neither computed nor mentioned.
+   * which the run has, see OutputDirectory. What a scene or the parameters
+   * don't ask for is neither computed nor mentioned.
    *
    * Fields and walls are written beside the run, and are complete when the next
    * ones are due or the run stops; other files are complete after each call.
@@ -133,7 +133,7 @@ namespace Sandglass
     serialize(Archive &archive, const unsigned int)
     {
       archive &last_history_step &last_field_step;
-      archive &summary.n_particles      &summary.initial_mass;
+      archive &summary.n_particles                      &summary.initial_mass;
       archive &history &particles &grid &wall_tractions &largest_pressure;
     }
 

@@ -75,7 +75,7 @@ namespace Sandglass
     const MPI_Comm communicator;
     const bool     is_writer;
     /// Of the directory, as the system numbers what is open; -1: it is not.
-    int  descriptor  = -1;
+    int  descriptor    = -1;
     bool can_be_locked = true; ///< some file systems can't
   };
 

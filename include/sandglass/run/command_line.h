@@ -29,7 +29,7 @@ namespace Sandglass
     std::string              print_format = "prm";
     bool                     is_restart   = false;
     std::string              restart_from; ///< empty: the output directory
-    bool                     is_quiet     = false;
+    bool                     is_quiet = false;
   };
 
   /// Throws InputError that names the option.

@@ -20,10 +20,10 @@ namespace Sandglass
    */
   template <int dim>
   std::optional<AtRest>
-  find_state_at_rest(const Parameters &parameters,
-                     Part<dim>        &part,
-                     Log              &log,
-                     TimerOutput      &timings,
+  find_state_at_rest(const Parameters            &parameters,
+                     Part<dim>                   &part,
+                     Log                         &log,
+                     TimerOutput                 &timings,
                      const std::function<void()> &after_load_step);
 } // namespace Sandglass
 

@@ -68,8 +68,7 @@ namespace Sandglass
     /// One run of the parameters as they are; only progress on the screen.
     /// @param which  the end of its directory's name.
     RunResult
-    run_in(const std::string              &which,
-           const std::vector<std::string> &warnings);
+    run_in(const std::string &which, const std::vector<std::string> &warnings);
 
     /// The directory of such a run, below the study's.
     std::string
