@@ -1,6 +1,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/output/closing_lines.h>
 #include <sandglass/output/own_files.h>
+#include <sandglass/output/replace_file.h>
 
 #include <limits>
 
@@ -84,6 +85,23 @@ namespace
     // The first failure stays.
     amend_summary_file(path, Status::failed, "another", 2);
     EXPECT_EQ(read_text(summary_file(path)), text);
+  }
+
+
+
+  TEST(SummaryFile, is_written_over_where_there_is_no_room_for_a_second_one)
+  {
+    const SmallSilo   silo;
+    const std::string path = silo.output.directory;
+    std::filesystem::create_directories(path);
+    write_summary_file(path, "a text that is longer than the next one");
+    // So that no file of this name can be made.
+    std::filesystem::create_directories(unfinished_name(summary_file(path)) +
+                                        "/not-empty");
+    write_summary_file(path, "a shorter text");
+    EXPECT_EQ(read_text(summary_file(path)), "a shorter text");
+    std::filesystem::remove(summary_file(path));
+    EXPECT_THROW(write_summary_file(path, "text"), RunError);
   }
 
 
