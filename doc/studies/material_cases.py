@@ -32,7 +32,7 @@ class Hopper(NamedTuple):
     friction: float
     half_angle: float  # to the vertical
     wall_friction: float
-    density_update: str = "paper"
+    loosest_density: float = 0.95
 
     OUTLET = 0.1  # half width or radius, m
     TOP = 1.  # the same of the hopper's upper end
@@ -67,7 +67,7 @@ class Hopper(NamedTuple):
     def name(self):
         words = [self.formulation, self.cone, short(self.friction),
                  short(self.half_angle), short(self.wall_friction),
-                 self.density_update]
+                 short(self.loosest_density)]
         return "hopper-" + "-".join(words).replace(" ", "-")
 
     def run(self):
@@ -96,7 +96,7 @@ class Hopper(NamedTuple):
             ("Walls/Friction angles",
              f"wall: 0, hopper: {short(self.wall_friction)}"),
             ("Walls/Tangential penalty", 1e9),
-            ("Particle stage/Density update", self.density_update),
+            ("Particle stage/Loosest density", short(self.loosest_density)),
             ("Particle stage/End time", self.times[1]),
             ("Output/Interval", 0.1)))
 
@@ -113,8 +113,8 @@ PLANE_WEDGES = [wedge._replace(cone="plane strain",
 CONICAL = [Hopper("axisymmetric", "Matsuoka-Nakai", *angles)
            for angles in ((40., 15., 20.), (50., 20., 20.), (40., 15., 10.))]
 HOPPERS = PAPER_WEDGES + PLANE_WEDGES + CONICAL
-# With the default density update
-SEPARATING = [hopper._replace(density_update="separation")
+# Where material separates as soon as it is less dense than without stress
+SEPARATING = [hopper._replace(loosest_density=1.)
               for hopper in (*PAPER_WEDGES[:4], PAPER_WEDGES[7], CONICAL[0])]
 
 SILOS = {"plane-flat-bottom": "plane, flat bottom",

@@ -51,7 +51,7 @@ public:
     , mass_matrix(*scene.nodes, geometry, 0.)
     , stress_update(Law(material),
                     material.density,
-                    Sandglass::DensityUpdate::separation)
+                    Sandglass::ParticleStageParameters())
   {
     for (const auto &cell : scene.triangulation.active_cell_iterators())
       {

@@ -11,18 +11,15 @@ using namespace Sandglass;
 namespace
 {
   /// Cells in the half width. With 20, 28 and 40 rings of squares the heap of
-  /// the column as high as wide is 18, 16 and 14 % lower than in experiments.
+  /// the column as high as wide is 18, 16 and 14 % lower than in experiments,
+  /// with 20 rings of triangles 16 %.
   /// Taller columns find no rest on the finest of these: their gate is as
   /// rough as the sand.
   unsigned int
-  columns(const Formulation formulation,
-          const CellType    cell_type,
-          const double      aspect_ratio)
+  columns(const Formulation formulation, const double aspect_ratio)
   {
-    return formulation == Formulation::axisymmetric &&
-               cell_type == CellType::quadrilateral && aspect_ratio <= 1. ?
-             40 :
-             20;
+    return formulation == Formulation::axisymmetric && aspect_ratio <= 1. ? 40 :
+                                                                            20;
   }
 
   /// Least and largest (r_end - r_0) / r_0 that fit the experiments' laws
@@ -58,7 +55,7 @@ TEST_P(ColumnCollapse, RunsOutAsFarAsInTheExperiments)
   const auto [formulation, cell_type, a] = GetParam();
   const auto [least, largest]            = run_out(formulation, a);
   SandColumn column(
-    formulation, cell_type, a, largest, columns(formulation, cell_type, a));
+    formulation, cell_type, a, largest, columns(formulation, a));
   column.collapse();
   const double found  = column.front(0.02) / SandColumn::width - 1.;
   const double height = column.summit() / SandColumn::width;

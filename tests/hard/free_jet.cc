@@ -19,10 +19,11 @@ namespace
   {
   protected:
     void
-    start(const DensityUpdate density_update)
+    start(const DensityUpdate density_update, const double loosest_density)
     {
-      fixture.parameters.density_update = density_update;
-      fixture.material.young_modulus    = 1e7;
+      fixture.parameters.density_update  = density_update;
+      fixture.parameters.loosest_density = loosest_density;
+      fixture.material.young_modulus     = 1e7;
       SceneParameters silo;
       silo.half_width        = 0.4;
       silo.wall_height       = 0.8;
@@ -93,21 +94,26 @@ namespace
 // carries it at an instant depends on how long a collision takes, with 1 /
 // sqrt(E): 6.8, 2.5, 0.5 and 0.2 % in triangles. So the material is stiff here.
 // With the paper's density a particle that has been separated carries stress
-// again at once.
+// again at once. With the default, between the two, particles meet before they
+// are as dense as without stress, and more of them touch.
 TEST_P(FreeJet, FallsFreelyWithoutStress)
 {
-  start(DensityUpdate::separation);
-  const Jet jet = follow(1.);
-  start(DensityUpdate::paper);
+  start(DensityUpdate::separation, 1.);
+  const Jet    jet             = follow(1.);
+  const double loosest_density = ParticleStageParameters().loosest_density;
+  start(DensityUpdate::separation, loosest_density);
+  const Jet loosened = follow(1.);
+  start(DensityUpdate::paper, loosest_density);
   const Jet paper = follow(1.);
-  for (const Jet &found : {jet, paper})
+  for (const Jet &found : {jet, loosened, paper})
     std::cout << "acceleration / g " << found.acceleration
               << ", stress / (rho g D) " << found.stress
               << ", stressed share of mass " << found.stressed_mass
               << std::endl;
-  EXPECT_NEAR(jet.acceleration, 1., 0.015);
   EXPECT_LT(jet.stress, 0.02);
   EXPECT_GT(paper.stress, 0.025);
+  EXPECT_NEAR(loosened.acceleration, 1., 0.015);
+  EXPECT_LT(loosened.stress, 0.025);
   EXPECT_LT(jet.stressed_mass, 0.02);
   EXPECT_GT(paper.stressed_mass, 0.08);
 }

@@ -52,24 +52,28 @@ TEST(Tension, StressReturnsToTheConeOrItsApex)
 
 namespace
 {
-  class PulledBlock : public testing::TestWithParam<CellType>
+  /// Of a cell type, and a parameter `Loosest density`.
+  class PulledBlock
+    : public testing::TestWithParam<std::tuple<CellType, double>>
   {};
 } // namespace
 
 
 
 // A block that is pulled apart and pushed together again: no stress while it is
-// less dense than at the start, whatever the way back, and pressure once it is
-// denser. With the paper's density it would have stress as soon as it is
-// pushed.
+// less dense than the loosest that carries any, whatever the way back, and
+// pressure once it is denser. With the paper's density it would have stress as
+// soon as it is pushed.
 TEST_P(PulledBlock, HasNoStressUntilItIsCompactedAgain)
 {
+  const auto &[cell_type, loosest_density] = GetParam();
   StageFixture fixture;
-  fixture.gravity                   = {};
-  fixture.parameters.end_time       = 1e3;
-  fixture.parameters.time_step_text = "1e-4";
+  fixture.gravity                    = {};
+  fixture.parameters.loosest_density = loosest_density;
+  fixture.parameters.end_time        = 1e3;
+  fixture.parameters.time_step_text  = "1e-4";
   Rectangle rectangle;
-  rectangle.cell_type = GetParam();
+  rectangle.cell_type = cell_type;
   rectangle.left      = BoundaryRole::wall;
   rectangle.lower     = Point<2>(-1., -1.);
   rectangle.n_x = rectangle.n_y = 20;
@@ -90,7 +94,7 @@ TEST_P(PulledBlock, HasNoStressUntilItIsCompactedAgain)
       fixture.for_each_particle([&](auto, const auto &, auto state) {
         const Eigen::Map<const SymmetricComponents<4>> stress(
           &state[StageLayout::stress]);
-        if (state[StageLayout::density] < 1500.)
+        if (state[StageLayout::density] < loosest_density * 1500.)
           largest_loose = std::max(largest_loose, stress.norm());
         smallest_density =
           std::min(smallest_density, state[StageLayout::density]);
@@ -106,7 +110,8 @@ TEST_P(PulledBlock, HasNoStressUntilItIsCompactedAgain)
   EXPECT_GT(largest_pressure, 1e4);
 }
 
-INSTANTIATE_TEST_SUITE_P(CellTypes,
-                         PulledBlock,
-                         testing::Values(CellType::triangle,
-                                         CellType::quadrilateral));
+INSTANTIATE_TEST_SUITE_P(
+  CellTypes,
+  PulledBlock,
+  testing::Combine(testing::Values(CellType::triangle, CellType::quadrilateral),
+                   testing::Values(1., 0.95)));

@@ -74,15 +74,17 @@ namespace
           return Tensor<1, 2>({a * position[0], b * position[1]});
         });
       // The average of a uniform rate is that rate.
-      const CellGeometry<cell_type>     geometry(*fixture.scene);
-      VolumetricAverage<CellSetting>    average(*fixture.scene->nodes,
+      const CellGeometry<cell_type>  geometry(*fixture.scene);
+      VolumetricAverage<CellSetting> average(*fixture.scene->nodes,
                                              geometry,
                                              0.,
                                              true);
+      fixture.parameters.density_update = DensityUpdate::paper;
       const StressUpdate<DruckerPrager> update(DruckerPrager(fixture.material),
                                                fixture.material.density,
-                                               DensityUpdate::paper);
+                                               fixture.parameters);
       NodalSums<CellSetting>            sums(geometry, 0., {});
+      sums.cells.compute(fixture.stage->particles().blocks());
       average.cells->compute(fixture.stage->particles().blocks());
       average.compute(fixture.stage->particles().blocks(), sums, velocity);
       Strays<StageLayout> strays;

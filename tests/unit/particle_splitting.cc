@@ -240,6 +240,8 @@ TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
 
   this->fixture.change_particles([&](auto, const auto &, auto state) {
     state[StageLayout::density] = 0.99 * this->fixture.material.density;
+    for (unsigned int c = 0; c < StageLayout::n_components; ++c)
+      state[StageLayout::stress + c] = 0.;
   });
   EXPECT_EQ(this->split(), 0u) << "separated particles";
 }

@@ -44,8 +44,8 @@ namespace Sandglass
     static constexpr bool has_constant_stiffness = false;
 
     /// Without an elastic energy; see correct().
-    static constexpr bool dissipation_can_fall     = true;
-    static constexpr bool pressure_follows_density = false;
+    static constexpr bool dissipation_can_fall = true;
+    static constexpr bool knows_density        = true;
 
     static bool
     is_meant(const MaterialConstants &constants)

@@ -82,8 +82,8 @@ namespace Sandglass
         1e-1,
         "relative error of the stress in one substep"}}};
 
-    static constexpr bool pressure_follows_density = false;
-    static constexpr bool takes_averaged_strain    = false;
+    static constexpr bool knows_density         = true;
+    static constexpr bool takes_averaged_strain = false;
 
     static bool
     is_meant(const MaterialConstants &constants)

@@ -27,8 +27,8 @@ namespace Sandglass
     /// Whether it can't tell elastic energy from what is dissipated.
     static constexpr bool dissipation_can_fall = false;
 
-    /// Whether a particle denser than loosest_density_share() has stress.
-    static constexpr bool pressure_follows_density = true;
+    /// Whether the law itself says how loose material can be that has stress.
+    static constexpr bool knows_density = false;
 
     /// Whether particles may take the volumetric strain of their cells'
     /// neighbourhood.

@@ -38,9 +38,8 @@ namespace Sandglass
       {{"UMAT state", "1", max_state_variables}}};
 
     // All that is not known of it.
-    static constexpr bool dissipation_can_fall     = true;
-    static constexpr bool can_fail                 = true;
-    static constexpr bool pressure_follows_density = false;
+    static constexpr bool dissipation_can_fall = true;
+    static constexpr bool can_fail             = true;
 
     static bool
     is_meant(const MaterialConstants &constants)

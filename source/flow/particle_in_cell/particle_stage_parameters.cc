@@ -87,7 +87,16 @@ namespace Sandglass
       "How a particle's density follows the flow: divided by the volume's "
       "growth as in the paper, which drifts without bound in separated "
       "material; or the same, with stress only while the particle is at least "
-      "as dense as the unstressed material.");
+      "as dense as Loosest density says.");
+    add_number(*this,
+               "Loosest density",
+               loosest_density,
+               Bounds::within(0.5, 1.),
+               "1",
+               "With the density update separation: density over that of the "
+               "unstressed material, beyond its elastic expansion, below which "
+               "a particle carries no stress. At 1 it separates at once. "
+               "Hypoplastic laws and Lade's have limits of their own.");
     add_selection<SplitParticles>(
       *this,
       "Split particles",

@@ -2,19 +2,16 @@
 #define sandglass_flow_particle_in_cell_cell_deformation_h
 
 #include <sandglass/flow/particle_in_cell/cell_integration.h>
+#include <sandglass/flow/particle_in_cell/is_dense.h>
 #include <sandglass/flow/particle_in_cell/stress_update.h>
-
-#include <optional>
 
 namespace Sandglass
 {
-  /// The volumetric rates that a cell's particles take on.
-  struct AveragedRates
+  /// The volumetric rate that a cell's dense particles take on.
+  struct AveragedRate
   {
-    double stressed;         ///< of stressed particles, in 1/s
-    double smallest_density; ///< of these, in kg/m^3
-    /// Of the other ones, in 1/s; none if they keep their own.
-    std::optional<double> loosened;
+    double rate;             ///< in 1/s
+    double smallest_density; ///< of these particles, in kg/m^3
   };
 
   /**
@@ -22,8 +19,8 @@ namespace Sandglass
    * in the cell. Where all of them deform alike, this is found once, the law's
    * prediction included.
    *
-   * @tparam is_averaged  whether particles take on AveragedRates instead of
-   *                      their own volumetric rate.
+   * @tparam is_averaged  whether dense particles take on an AveragedRate
+   *                      instead of their own volumetric rate.
    */
   template <typename Setting, typename Law, bool is_averaged>
   class CellDeformation
@@ -50,7 +47,7 @@ namespace Sandglass
     CellDeformation(const Shape            &shape,
                     const OfNodes          &velocities,
                     const RateChange       &change,
-                    const AveragedRates    &averaged,
+                    const AveragedRate     &averaged,
                     const Law              &law,
                     const StressIntegration integration,
                     const double            time_step)
@@ -65,13 +62,12 @@ namespace Sandglass
       if constexpr (Setting::has_uniform_strain)
         {
           auto increment = increment_of(Vector<double>(), 0.);
-          if (is_averaged && averaged.loosened)
-            set_rate(*averaged.loosened, increment);
-          uniform.without_stress = deformation(increment);
+          uniform.own    = deformation(increment);
           if constexpr (is_averaged)
             {
-              set_rate(averaged.stressed, increment);
-              uniform.stressed = deformation(increment);
+              increment.add_volume_change(time_step * averaged.rate -
+                                          increment.volume_change());
+              uniform.averaged = deformation(increment);
             }
         }
     }
@@ -89,7 +85,7 @@ namespace Sandglass
           if constexpr (is_averaged)
             return choose(state);
           else
-            return uniform.without_stress;
+            return uniform.own;
         }
       else
         {
@@ -100,12 +96,10 @@ namespace Sandglass
           if constexpr (is_averaged)
             {
               const Lanes own = increment.volume_change();
-              const Lanes without_stress =
-                averaged.loosened ? Lanes(time_step * *averaged.loosened) : own;
               increment.add_volume_change(
-                select(is_stressed(state),
-                       Lanes(time_step * averaged.stressed),
-                       without_stress) -
+                select(is_dense(state, averaged.smallest_density),
+                       Lanes(time_step * averaged.rate),
+                       own) -
                 own);
             }
           return deformation(increment);
@@ -163,43 +157,23 @@ namespace Sandglass
               Number(1.) / increment.jacobian};
     }
 
-    /// Give an increment another volumetric rate, in 1/s.
-    void
-    set_rate(const double rate, Increment<double> &increment) const
-    {
-      increment.add_volume_change(time_step * rate - increment.volume_change());
-    }
-
-    auto
-    is_stressed(const State &state) const
-    {
-      if constexpr (Law::pressure_follows_density)
-        return state.density >= Lanes(averaged.smallest_density);
-      else
-        return (state.density >= Lanes(averaged.smallest_density)) &
-               (state.stress[Component::yy] != Lanes(0.));
-    }
-
-    /// One of the two uniform ones, by whether each particle is stressed. They
-    /// turn alike.
+    /// One of the two uniform ones for each particle. They turn alike.
     auto
     choose(const State &state) const
     {
-      const auto         stressed = is_stressed(state);
+      const auto         dense = is_dense(state, averaged.smallest_density);
       Deformation<Lanes> chosen;
       for (int i = 0; i < chosen.prediction.size(); ++i)
-        chosen.prediction[i] =
-          select(stressed,
-                 Lanes(uniform.stressed.prediction[i]),
-                 Lanes(uniform.without_stress.prediction[i]));
-      chosen.inverse_jacobian =
-        select(stressed,
-               Lanes(uniform.stressed.inverse_jacobian),
-               Lanes(uniform.without_stress.inverse_jacobian));
+        chosen.prediction[i] = select(dense,
+                                      Lanes(uniform.averaged.prediction[i]),
+                                      Lanes(uniform.own.prediction[i]));
+      chosen.inverse_jacobian = select(dense,
+                                       Lanes(uniform.averaged.inverse_jacobian),
+                                       Lanes(uniform.own.inverse_jacobian));
       return ParticleDeformation<decltype(chosen.prediction),
-                                 decltype(uniform.without_stress.rotation),
+                                 decltype(uniform.own.rotation),
                                  Lanes>{chosen.prediction,
-                                        uniform.without_stress.rotation,
+                                        uniform.own.rotation,
                                         chosen.inverse_jacobian};
     }
 
@@ -209,15 +183,15 @@ namespace Sandglass
     /// What all particles of a cell have alike.
     struct Uniform
     {
-      Deformation<double> without_stress;
-      /// With their averaged rate.
-      std::conditional_t<is_averaged, Deformation<double>, Nothing> stressed;
+      Deformation<double> own;
+      /// Of dense particles.
+      std::conditional_t<is_averaged, Deformation<double>, Nothing> averaged;
     };
 
     const Shape            &shape;
     const OfNodes          &velocities;
     const RateChange        change;
-    const AveragedRates     averaged;
+    const AveragedRate      averaged;
     const Law              &law;
     const StressIntegration integration;
     const double            time_step;

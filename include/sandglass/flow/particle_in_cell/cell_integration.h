@@ -69,10 +69,20 @@ namespace Sandglass
     double
     volume(const unsigned int cell, const Sums &sums) const
     {
-      const double of_particles = sums.values[Sums::stiff_volume];
+      const double of_particles = sums.values[Sums::dense_volume];
       return volumes.empty() ? of_particles :
                                of_particles + filling(cell, of_particles) *
                                                 (volumes[cell] - of_particles);
+    }
+
+    /// Volume of a cell's dense particles over its own, at most 1; 1 with
+    /// ForceIntegration::particles.
+    double
+    share_filled(const unsigned int cell, const Sums &sums) const
+    {
+      return volumes.empty() ?
+               1. :
+               std::min(1., sums.values[Sums::dense_volume] / volumes[cell]);
     }
 
     /// Share of the internal force R in N at each of the cell's nodes.
@@ -80,7 +90,7 @@ namespace Sandglass
     force(const unsigned int cell, const Sums &sums) const
     {
       OfNodes      result       = sums.internal_force(geometry.shape(cell));
-      const double of_particles = sums.values[Sums::stiff_volume];
+      const double of_particles = sums.values[Sums::dense_volume];
       if (volumes.empty() || !(of_particles > 0.))
         return result;
 
@@ -130,7 +140,7 @@ namespace Sandglass
                 const OfNodes     &velocities) const
     {
       RateChange change;
-      if (volumes.empty() || !(sums.values[Sums::stiff_volume] > 0.))
+      if (volumes.empty() || !(sums.values[Sums::dense_volume] > 0.))
         return change;
       const Weights weights = exchange(cell, sums, 1.);
       if constexpr (!Setting::has_constant_gradients) // or there is none
@@ -166,7 +176,7 @@ namespace Sandglass
              const Sums        &sums,
              const double       factor) const
     {
-      const double   w         = filling(cell, sums.values[Sums::stiff_volume]);
+      const double   w         = filling(cell, sums.values[Sums::dense_volume]);
       const Weights &of_filled = weights_of_filled[cell];
       Weights        result    = weights(cell, sums.mean_point());
       for (unsigned int i = 0; i < n_nodes; ++i)

@@ -30,8 +30,6 @@ namespace Sandglass
     using Blocks     = ParticleBlocks<typename Setting::Layout>;
     using OfNodes    = CellValues<dim, n_nodes>;
 
-    static constexpr double stiff_share = 0.95;
-
     /// Both have to live as long as this object.
     CellStiffness(const Law &law, const Geometry &geometry)
       : law(law)
@@ -93,7 +91,7 @@ namespace Sandglass
           forces = forces_of_uniform_strain(geometry.shape(cell),
                                             displacements,
                                             elasticity(cell),
-                                            cells.stiff_volume(cell));
+                                            cells.dense_volume(cell));
         else
           as_vector(forces) = matrices[cell] * as_vector(displacements);
         energy += scalar_product(forces, displacements);
@@ -176,9 +174,9 @@ namespace Sandglass
       });
 
       const double of_particles =
-        cells[cell].values[CellSums<Setting, double>::stiff_volume];
+        cells[cell].values[CellSums<Setting, double>::dense_volume];
       const double factor =
-        of_particles > 0. ? cells.stiff_volume(cell) / of_particles : 1.;
+        of_particles > 0. ? cells.dense_volume(cell) / of_particles : 1.;
       auto pair = pairs.begin();
       for (unsigned int i = 0; i < n_nodes; ++i)
         for (unsigned int j = i; j < n_nodes; ++j, ++pair)
@@ -197,17 +195,16 @@ namespace Sandglass
      */
     void
     add_particles(const State      &state,
-                  const double      smallest_stiff_density,
+                  const double      smallest_density,
                   const Shape      &shape,
                   const Elasticity &elasticity,
                   NodePairs        &pairs) const
     {
       const auto  gradients = shape.shape_gradients(state.reference);
-      const Lanes volume    = select(is_stiff(state, smallest_stiff_density),
-                                  state.volume(),
-                                  Lanes(0.));
-      const Lanes lame      = volume * elasticity.lame_modulus;
-      const Lanes shear     = volume * elasticity.shear_modulus;
+      const Lanes volume =
+        select(is_dense(state, smallest_density), state.volume(), Lanes(0.));
+      const Lanes lame  = volume * elasticity.lame_modulus;
+      const Lanes shear = volume * elasticity.shear_modulus;
 
       std::array<std::array<Lanes, dim>, n_nodes> traces;
       std::array<Lanes, n_nodes>                  hoop;

@@ -3,24 +3,11 @@
 
 #include <sandglass/base/instruction_sets.h>
 #include <sandglass/flow/particle_in_cell/cell_kernel.h>
+#include <sandglass/flow/particle_in_cell/is_dense.h>
 #include <sandglass/flow/particle_in_cell/setting.h>
-#include <sandglass/particles/particle_state.h>
 
 namespace Sandglass
 {
-  /**
-   * Whether particles resist: a particle without stress that is less dense than
-   * `smallest_density` (in kg/m^3) is separated.
-   */
-  template <typename State>
-  auto
-  is_stiff(const State &state, const double smallest_density)
-  {
-    using Number = decltype(state.density);
-    return (state.density >= Number(smallest_density)) |
-           (state.stress[Component::yy] != Number(0.));
-  }
-
   /**
    * Steps 2 to 4 of Section 4.4, the particles' part: all that the nodes need
    * to know of a cell's particles, as sums over these.
@@ -53,8 +40,8 @@ namespace Sandglass
     {
       mass         = 0, ///< sum of m N_i N_j for i <= j, row by row, in kg
       momentum     = mass + n_nodes * (n_nodes + 1) / 2, ///< m N_i V, kg m/s
-      stiff_volume = momentum + dim * n_nodes, ///< of stressed particles, m^3
-      stress       = stiff_volume + 1, ///< times volume, see force_components
+      dense_volume = momentum + dim * n_nodes, ///< of dense particles, m^3
+      stress       = dense_volume + 1, ///< times volume, see force_components
       moment       = stress + n_force_components, ///< mean_point()
       force        = moment + (Setting::has_uniform_strain ? 0 : dim), ///< in N
       n_sums       = force + (Setting::has_uniform_strain     ? 0 :
@@ -72,19 +59,17 @@ namespace Sandglass
 
     /// Add particles; those without mass don't count.
     void
-    add(const State &state,
-        const double smallest_stiff_density,
-        const Shape &shape)
+    add(const State &state, const double smallest_density, const Shape &shape)
     {
       const auto   shape_values = Shape::shape_values(state.reference);
       const Number volume       = state.volume();
       add_mass_and_momentum(state, shape_values);
-      const Number stressed_volume =
-        select(is_stiff(state, smallest_stiff_density), volume, Number(0.));
-      values[stiff_volume] += stressed_volume;
+      const Number volume_if_dense =
+        select(is_dense(state, smallest_density), volume, Number(0.));
+      values[dense_volume] += volume_if_dense;
       if constexpr (!Setting::has_uniform_strain)
         for (unsigned int d = 0; d < dim; ++d)
-          values[moment + d] += stressed_volume * state.reference[d];
+          values[moment + d] += volume_if_dense * state.reference[d];
       add_force(state, volume, shape_values, shape);
     }
 
@@ -132,11 +117,11 @@ namespace Sandglass
       return values[momentum + dim * i + d];
     }
 
-    /// Mean reference coordinates of the stressed particles' volume.
+    /// Mean reference coordinates of the dense particles' volume.
     Vector
     mean_point() const
     {
-      const Number per_volume = Number(1.) / values[stiff_volume];
+      const Number per_volume = Number(1.) / values[dense_volume];
       Vector       point;
       for (unsigned int d = 0; d < dim; ++d)
         point[d] = values[moment + d] * per_volume;

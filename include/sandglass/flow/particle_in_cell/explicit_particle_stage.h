@@ -47,16 +47,13 @@ namespace Sandglass
       , unstressed_density(density)
       , law(make_law(geometry))
       , nodal_sums(geometry,
-                   CellStiffness<Setting>::stiff_share *
-                     (law->smallest_stressed_density() > 0. ?
-                        law->smallest_stressed_density() :
-                        density),
+                   law->loosest_density(),
                    parameters.force_integration == ForceIntegration::cell ?
                      initial_configuration.points :
                      std::vector<Point<dim>>())
       , volumetric_average(*scene.nodes,
                            geometry,
-                           law->smallest_stressed_density(),
+                           law->loosest_density(),
                            parameters.volumetric_strain ==
                                VolumetricStrain::averaged &&
                              law->takes_averaged_strain)
@@ -64,7 +61,7 @@ namespace Sandglass
       , splitting(geometry,
                   initial_configuration,
                   density,
-                  volumetric_average.smallest_density,
+                  law->loosest_density(),
                   parameters.split_particles == SplitParticles::where_needed &&
                     needs_splitting(scene.mesh, initial_configuration))
       , box(*scene.nodes, geometry, walls)
@@ -185,7 +182,7 @@ namespace Sandglass
     for_each_sums(const Function &function)
     {
       function(nodal_sums.cells);
-      if (volumetric_average.is_on)
+      if (volumetric_average.cells)
         function(*volumetric_average.cells);
     }
 
@@ -239,7 +236,7 @@ namespace Sandglass
           packed.insert(packed.end(), values.begin(), values.end());
         };
         pack(nodal_sums.cells);
-        if (volumetric_average.is_on)
+        if (volumetric_average.cells)
           pack(*volumetric_average.cells);
         if (!law->has_constant_stiffness)
           {
@@ -276,8 +273,9 @@ namespace Sandglass
       return sum_up<Setting>(cloud.blocks(),
                              *law,
                              removed,
-                             this->dissipation(),
-                             contact.wall_work(),
+                             {this->dissipation(),
+                              contact.wall_work(),
+                              contact.friction_energy()},
                              particle_steps,
                              scene.communicator);
     }

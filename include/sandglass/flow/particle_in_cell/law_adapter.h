@@ -24,9 +24,7 @@ namespace Sandglass
       : Base(Law::has_constant_stiffness,
              Law::dissipation_can_fall,
              Law::takes_averaged_strain)
-      , stress_update(Law(constants),
-                      constants.density,
-                      parameters.density_update)
+      , stress_update(Law(constants), constants.density, parameters)
       , integration(parameters.stress_integration)
       , geometry(geometry)
     {}
@@ -84,9 +82,9 @@ namespace Sandglass
     }
 
     double
-    smallest_stressed_density() const override
+    loosest_density() const override
     {
-      return stress_update.smallest_stressed_density;
+      return stress_update.loosest_density;
     }
 
   private:

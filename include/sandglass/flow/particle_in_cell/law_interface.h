@@ -75,9 +75,9 @@ namespace Sandglass
     virtual std::vector<double>
     initial_state() const = 0;
 
-    /// In kg/m^3; below it there is no stress. 0 if there always may be.
+    /// In kg/m^3; particles without stress that are less dense are separated.
     virtual double
-    smallest_stressed_density() const = 0;
+    loosest_density() const = 0;
 
     /// Whether stiffness_bound() is the same for all states.
     const bool has_constant_stiffness;

@@ -121,9 +121,16 @@ namespace Sandglass
 
     /// The volume in m^3 whose stiffness a cell has.
     double
-    stiff_volume(const unsigned int cell) const
+    dense_volume(const unsigned int cell) const
     {
       return integration.volume(cell, cells[cell]);
+    }
+
+    /// See CellIntegration::share_filled().
+    double
+    share_filled(const unsigned int cell) const
+    {
+      return integration.share_filled(cell, cells[cell]);
     }
 
     /// The particles' sums in a cell.
@@ -155,7 +162,7 @@ namespace Sandglass
                   NodalSumField<dim>                      &sums) const
     {
       const auto   gradients = shape.shape_gradients(point_within<Shape>());
-      const double stiffness = modulus * stiff_volume(cell);
+      const double stiffness = modulus * dense_volume(cell);
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
           double *node_sums = sums.at(nodes[i]);

@@ -81,6 +81,9 @@ namespace Sandglass
     using OfNodes     = CellValues<dim, n_nodes>;
     using Deformation = CellDeformation<Setting, Law, is_averaged>;
 
+    static constexpr bool has_volumetric_sums =
+      is_averaged && !Setting::has_uniform_strain;
+
     void
     run_in_cell(Blocks                     &blocks,
                 const unsigned int          cell,
@@ -94,15 +97,12 @@ namespace Sandglass
       const Shape &shape = geometry.shape(cell);
 
       typename Deformation::RateChange change;
-      AveragedRates                    averaged{};
+      AveragedRate                     averaged{};
       if constexpr (is_averaged)
         {
           change   = volumetric_average.rate_change(cell);
           averaged = {volumetric_average.rate(cell),
-                      volumetric_average.smallest_density,
-                      {}};
-          if (volumetric_average.has_loosened(cell, sums))
-            averaged.loosened = volumetric_average.rate_of_loosened(cell);
+                      volumetric_average.smallest_density};
         }
       else if constexpr (!Setting::has_uniform_strain)
         change = sums.rate_change(cell, velocities);
@@ -139,14 +139,14 @@ namespace Sandglass
           add_strays(is_inside, {cell, block, 0}, blocks, strays);
         state.mass = select(is_inside, state.mass, Lanes(0.));
         cell_sums.add(state, sums.cells.smallest_density, shape);
-        if constexpr (is_averaged)
+        if constexpr (has_volumetric_sums)
           volumetric_sums.add(state,
                               volumetric_average.smallest_density,
                               shape);
       });
       strays.take_out(blocks);
       sums.cells.set(cell, cell_sums);
-      if constexpr (is_averaged)
+      if constexpr (has_volumetric_sums)
         volumetric_average.cells->set(cell, volumetric_sums);
     }
 

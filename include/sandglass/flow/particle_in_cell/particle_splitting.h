@@ -149,7 +149,7 @@ namespace Sandglass
       blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
         const auto is_large =
           (blocks[block].load(Block::mass) > Lanes(largest_mass[cell])) &
-          (blocks[block].load(Block::density) >= Lanes(smallest_density));
+          is_dense(load_state(blocks[block]), smallest_density);
         if (any(is_large))
           for (unsigned int lane = 0; lane < blocks.n_lanes(block); ++lane)
             if (is_large[lane])

@@ -61,6 +61,7 @@ namespace Sandglass
     StressIntegration stress_integration    = StressIntegration::start_of_step;
     ForceIntegration  force_integration     = ForceIntegration::cell;
     DensityUpdate     density_update        = DensityUpdate::separation;
+    double            loosest_density       = 0.97;
     SplitParticles    split_particles       = SplitParticles::where_needed;
     OnLostParticle    on_lost_particle      = OnLostParticle::stop;
     double            largest_speed         = 10.;

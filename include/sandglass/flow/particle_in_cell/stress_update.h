@@ -22,21 +22,28 @@ namespace Sandglass
    * The paper's density, rho / J, falls without bound where material separates
    * again and again, because the stress there returns to zero while the volume
    * keeps growing. With DensityUpdate::separation it may fall, but a particle
-   * less dense than the unstressed material carries no stress until it is
-   * compacted again (Dunatunga and Kamrin 2015).
+   * less dense than loosest_density() carries no stress until it is compacted
+   * again (after Dunatunga and Kamrin 2015).
+   *
+   * Where it meets the others lies anywhere within the step, on average in its
+   * middle, so only half of that step's strain is resisted. With all of it a
+   * particle that collides alone would be thrown back faster than it came, at a
+   * frequency omega by the factor (omega dt)^2 - 1.
    */
   template <typename Law>
   class StressUpdate
   {
   public:
     /// @param unstressed_density  in kg/m^3
-    StressUpdate(const Law          &law,
-                 const double        unstressed_density,
-                 const DensityUpdate density_update)
+    StressUpdate(const Law                     &law,
+                 const double                   unstressed_density,
+                 const ParticleStageParameters &parameters)
       : law(law)
-      , smallest_stressed_density(density_update == DensityUpdate::separation ?
-                                    law.loosest_density_share() *
-                                      unstressed_density :
+      , loosest_density(law.loosest_density_share() * unstressed_density *
+                        (Law::knows_density ? 1. : parameters.loosest_density))
+      , smallest_stressed_density(parameters.density_update ==
+                                      DensityUpdate::separation ?
+                                    loosest_density :
                                     0.)
     {}
 
@@ -50,21 +57,33 @@ namespace Sandglass
     operator()(ParticleState<Layout, Number> &state,
                const Deformation             &deformation) const
     {
+      const auto was_separated =
+        state.density < Number(smallest_stressed_density);
       state.density *= deformation.inverse_jacobian;
       state.stress = rotate(state.stress, deformation.rotation);
       const Number dissipation =
         law.correct(state.stress, state.law_state, deformation.prediction);
 
       // Also where nothing separates: to ask first would cost more.
-      const auto is_separated =
-        state.density < Number(smallest_stressed_density);
+      const Number share =
+        select(state.density < Number(smallest_stressed_density),
+               Number(0.),
+               select(was_separated, Number(resisted_share), Number(1.)));
       for (int c = 0; c < Layout::n_components; ++c)
-        state.stress[c] = select(is_separated, Number(0.), state.stress[c]);
-      return select(is_separated, Number(0.), dissipation);
+        state.stress[c] = state.stress[c] * share;
+      return share * share * dissipation;
     }
 
-    const Law    law;
+    const Law law;
+
+    /// In kg/m^3; particles without stress that are less dense are separated.
+    const double loosest_density;
+
+  private:
     const double smallest_stressed_density; ///< in kg/m^3
+
+    /// Of the strain of the step in which a particle becomes dense.
+    static constexpr double resisted_share = 0.5;
   };
 } // namespace Sandglass
 

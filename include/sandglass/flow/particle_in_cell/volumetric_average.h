@@ -4,6 +4,7 @@
 #include <sandglass/flow/particle_in_cell/nodal_sums.h>
 #include <sandglass/flow/particle_in_cell/volumetric_sums.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -13,25 +14,24 @@ namespace Sandglass
    * The volumetric deformation rate of each cell, averaged over its
    * neighbourhood, against the locking of linear cells under plastic flow that
    * keeps the volume: first the mean of the cells at each node, weighted by the
-   * volume of their stressed particles, then the mean of the cell's nodes.
+   * volume over which the stress of their dense particles is integrated, then
+   * the mean of the cell's nodes.
+   *
+   * Cells that hold less than one particle of usual size, filled to less than
+   * a quarter, count and take the average by a share alpha, and for the rest
+   * keep their own rate: else what is light would go on being pushed by the
+   * pressure of heavy neighbours, however far it gives way.
    *
    * With the elastic law p = -K theta this is the average nodal pressure
-   * element of Bonet and Burton (1998): the averaging is symmetric with respect
-   * to the weights, so the stiffness matrix stays symmetric, and with
-   * eigenvalues between 0 and 1, so the critical time step does not become
+   * element of Bonet and Burton (1998). With the cells' volumes V, their
+   * weights w = alpha V and M, the means of a cell's nodes over the nodes' sums
+   * of w, the volumes times the average are V (1 - alpha) + w M w. That is
+   * symmetric, so the stiffness matrix stays symmetric, and the eigenvalues of
+   * the average lie between 0 and 1, so the critical time step does not become
    * shorter.
    *
-   * Particles less dense than `smallest_density` carry no stress and don't
-   * count. Those that are hardly less dense have only just loosened and will
-   * resist again soon. Where material flows so fast that this is the rule, they
-   * take an average of their own, over all particles that are not separated.
-   * With their cell's rate they would loosen where that errs to one side and
-   * become dense where it errs to the other, so that the stressed ones would be
-   * those whose cells seem to contract, and their pressure would rise as if the
-   * cells locked. To let the stressed ones count the loosened ones too would
-   * make the stiffness unsymmetric, and shake loose material. Where pressure is
-   * high beside rho v^2, such an average would drive the waves that run through
-   * a silo when its outlet opens (doc/tried.md).
+   * Separated particles, less dense than `smallest_density`, carry no stress;
+   * they don't count, and keep their cell's rate.
    */
   template <typename Setting>
   class VolumetricAverage
@@ -45,7 +45,7 @@ namespace Sandglass
     using Sums       = SumsByCell<Setting, VolumetricSums>;
     using RateChange = typename CellIntegration<Setting>::RateChange;
 
-    /// @param smallest_density  of stressed particles, in kg/m^3.
+    /// @param smallest_density  of particles that count, in kg/m^3.
     VolumetricAverage(const Utilities::MPI::Partitioner &nodes,
                       const Geometry                    &geometry,
                       const double                       smallest_density,
@@ -57,18 +57,20 @@ namespace Sandglass
     {
       if (!is_on)
         return;
-      cells = std::make_unique<Sums>(geometry, smallest_density);
       nodal = std::make_unique<NodalField<n_values>>(nodes);
+      own.resize(geometry.n_cells());
       if constexpr (!Setting::has_uniform_strain)
-        rate_changes.resize(geometry.n_cells());
+        {
+          cells = std::make_unique<Sums>(geometry, smallest_density);
+          rate_changes.resize(geometry.n_cells());
+        }
     }
 
     /**
      * Find the averages for a velocity field with its ghosts. Collective; does
      * nothing if it is off.
      *
-     * @param sums  of the particles' present positions, as `cells` are. What
-     *              counts as stiff there is not separated.
+     * @param sums  of the particles' present positions, as `cells` are.
      */
     SANDGLASS_OWN_FUNCTION void
     compute(const Blocks             &blocks,
@@ -79,63 +81,34 @@ namespace Sandglass
         return;
       nodal->start_sum();
       for_each_filled_cell(blocks, [&](const unsigned int cell) {
-        const auto &nodes      = geometry.nodes(cell);
-        const auto  velocities = gather(velocity, nodes);
-        if constexpr (!Setting::has_uniform_strain)
-          rate_changes[cell] = sums.rate_change(cell, velocities);
-
-        add_to_nodes(cell, sums.cells[cell], velocities);
+        add_to_nodes(cell, sums, gather(velocity, geometry.nodes(cell)));
       });
       nodal->finish_sum();
       for (unsigned int node = 0; node < n_owned_nodes; ++node)
         {
           double *values = nodal->at(node);
-          values[Value::dense_volume] += values[Value::stressed_volume];
-          values[Value::dense_rate] += values[Value::stressed_rate];
-          if (values[Value::stressed_volume] > 0.)
-            values[Value::stressed_rate] /= values[Value::stressed_volume];
           if (values[Value::dense_volume] > 0.)
-            {
-              values[Value::dense_rate] /= values[Value::dense_volume];
-              values[Value::pressure] /= values[Value::dense_volume];
-            }
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const double component = velocity.at(node)[d];
-              values[Value::pressure] -= largest_pressure_over_inertia *
-                                         smallest_density * component *
-                                         component;
-            }
+            values[Value::dense_rate] /= values[Value::dense_volume];
         }
       nodal->update_ghosts();
     }
 
-    /// The average in 1/s at a cell that holds stressed particles.
+    /// The average in 1/s at a cell that holds dense particles.
     double
     rate(const unsigned int cell) const
     {
-      return mean_of_nodes(cell, Value::stressed_rate);
+      double sum = 0.;
+      for (const unsigned int node : geometry.nodes(cell))
+        sum += nodal->at(node)[Value::dense_rate];
+      const double share = own[cell].share;
+      return share * sum / n_nodes + (1. - share) * own_rate(cell);
     }
 
-    /// Whether some of a cell's particles have only just loosened and follow
-    /// rate_of_loosened(): where there is stress in their cell or its
-    /// neighbours, but not more than inertia can bring about.
-    ///
-    /// @param sums  as compute() takes them.
-    bool
-    has_loosened(const unsigned int cell, const NodalSums<Setting> &sums) const
-    {
-      return sums.cells[cell].values[SumsOfCell::stiff_volume] >
-               volume_of_stressed(cell) &&
-             mean_of_nodes(cell, Value::stressed_volume) > 0. &&
-             mean_of_nodes(cell, Value::pressure) < 0.;
-    }
-
-    /// The average in 1/s at a cell that holds such particles.
+    /// The mean of its dense particles, in 1/s.
     double
-    rate_of_loosened(const unsigned int cell) const
+    own_rate(const unsigned int cell) const
     {
-      return mean_of_nodes(cell, Value::dense_rate);
+      return own[cell].rate;
     }
 
     /// Change of the rates in the last compute(), see NodalSums::rate_change().
@@ -150,104 +123,77 @@ namespace Sandglass
 
     const bool is_on;
 
-    /// Smallest density of stressed particles, in kg/m^3.
+    /// Smallest density of particles that count, in kg/m^3.
     const double smallest_density;
 
-    /// Sums at the particles' present positions; none if averaging is off.
+    /// Sums at the particles' present positions; none if averaging is off, or
+    /// if all particles of a cell have its rate.
     std::unique_ptr<Sums> cells;
 
   private:
-    /// Two means over the cells around a node: of stressed particles, and of
-    /// all that are not separated; volumes in m^3, rates in 1/s.
+    /// Of the cells around a node.
     enum Value : unsigned int
     {
-      stressed_volume,
-      stressed_rate, ///< before the division, times the volume
-      dense_volume,  ///< until all cells are added, of the loosened only
-      dense_rate,    ///< likewise
-      pressure,      ///< less the largest with which they loosen, in Pa
+      dense_volume, ///< in m^3
+      dense_rate,   ///< the mean in 1/s; before the division, times the volume
       n_values
     };
 
-    using SumsOfCell = CellSums<Setting, double>;
-
-    /// Largest pressure over rho v^2 where loosened particles take an average.
-    static constexpr double largest_pressure_over_inertia = 10.;
+    /// Share of its cell that a particle fills where four of them fill it.
+    static constexpr double smallest_filled_share = 0.25;
 
     void
     add_to_nodes(const unsigned int              cell,
-                 const SumsOfCell               &sums,
+                 const NodalSums<Setting>       &sums,
                  const CellValues<dim, n_nodes> &velocities)
     {
-      const auto  &shape    = geometry.shape(cell);
-      const double stressed = volume_of_stressed(cell);
-      const double loosened = sums.values[SumsOfCell::stiff_volume] - stressed;
-      double       rate_times_volume =
-        (*cells)[cell].rate_times_volume(shape, velocities);
       if constexpr (!Setting::has_uniform_strain)
-        rate_times_volume += stressed * rate_changes[cell].volumetric();
-      // The normal stresses are the first ones.
-      double pressure_times_volume = 0.;
-      for (unsigned int d = 0; d < dim; ++d)
-        pressure_times_volume -= sums.values[SumsOfCell::stress + d] / dim;
-      const auto &nodes = geometry.nodes(cell);
-      for (const unsigned int node : nodes)
-        {
-          nodal->at(node)[Value::stressed_volume] += stressed;
-          nodal->at(node)[Value::stressed_rate] += rate_times_volume;
-          nodal->at(node)[Value::pressure] += pressure_times_volume;
-        }
-      if (!(loosened > 0.)) // as in most cells
+        rate_changes[cell] = sums.rate_change(cell, velocities);
+      const double volume = sums.dense_volume(cell);
+      if (!(volume > 0.)) // all are separated
         return;
-      const double loosened_rate = rate_at_mean_point(shape, sums, velocities) +
-                                   rate_change(cell).volumetric();
-      for (const unsigned int node : nodes)
+      const double rate = mean_rate(cell, sums, velocities);
+      const double share =
+        std::min(1., sums.share_filled(cell) / smallest_filled_share);
+      own[cell]           = {rate, share};
+      const double weight = share * volume;
+      for (const unsigned int node : geometry.nodes(cell))
         {
-          nodal->at(node)[Value::dense_volume] += loosened;
-          nodal->at(node)[Value::dense_rate] += loosened * loosened_rate;
+          nodal->at(node)[Value::dense_volume] += weight;
+          nodal->at(node)[Value::dense_rate] += weight * rate;
         }
     }
 
-    double
-    volume_of_stressed(const unsigned int cell) const
+    /// What a filled cell brings along.
+    struct OwnRate
     {
-      return (*cells)[cell].values[VolumetricSums<Setting, double>::volume];
-    }
+      double rate;  ///< the mean of its particles, in 1/s
+      double share; ///< alpha, of the average in what it takes
+    };
 
-    /// The volumetric rate of v^L in 1/s where the mean of a cell's particles
-    /// is. The mean rate of those without stress differs from it by little.
-    static double
-    rate_at_mean_point(const typename Setting::Shape  &shape,
-                       const SumsOfCell               &sums,
-                       const CellValues<dim, n_nodes> &velocities)
+    /// Of a cell's dense particles, in 1/s.
+    double
+    mean_rate(const unsigned int              cell,
+              const NodalSums<Setting>       &sums,
+              const CellValues<dim, n_nodes> &velocities) const
     {
+      const auto &shape = geometry.shape(cell);
       if constexpr (Setting::has_uniform_strain)
         return trace(gradient_of(velocities, shape.shape_gradients({})));
       else
         {
-          const auto point = sums.mean_point();
-          double     result =
-            trace(gradient_of(velocities, shape.shape_gradients(point)));
-          if constexpr (Setting::has_hoop_strain)
-            result +=
-              interpolate(velocities, Setting::Shape::shape_values(point))[0] /
-              shape.to_real(point_of(point))[0];
-          return result;
+          const double volume =
+            sums[cell].values[CellSums<Setting, double>::dense_volume];
+          return (*cells)[cell].rate_times_volume(shape, volume, velocities) /
+                   volume +
+                 rate_changes[cell].volumetric();
         }
-    }
-
-    double
-    mean_of_nodes(const unsigned int cell, const unsigned int value) const
-    {
-      double sum = 0.;
-      for (const unsigned int node : geometry.nodes(cell))
-        sum += nodal->at(node)[value];
-      return sum / n_nodes;
     }
 
     const Geometry                       &geometry;
     const unsigned int                    n_owned_nodes;
     std::unique_ptr<NodalField<n_values>> nodal;
+    std::vector<OwnRate>                  own;
     /// Change of the rates in each filled cell, unless strain is uniform.
     std::vector<RateChange> rate_changes;
   };

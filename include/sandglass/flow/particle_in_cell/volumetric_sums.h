@@ -2,16 +2,16 @@
 #define sandglass_flow_particle_in_cell_volumetric_sums_h
 
 #include <sandglass/flow/particle_in_cell/cell_kernel.h>
-#include <sandglass/particles/particle_state.h>
+#include <sandglass/flow/particle_in_cell/is_dense.h>
 
 namespace Sandglass
 {
   /**
-   * What VolumetricAverage needs to know of a cell's stressed particles: their
-   * volume, and this volume times the change of volume that the velocities of
-   * the cell's nodes cause. The rate is linear in these velocities, with the
-   * weights dN_i/dx_d, and also N_i / x for the hoop rate; the weights' sums
-   * over the particles suffice for any velocities.
+   * What VolumetricAverage needs to know of a cell's dense particles besides
+   * their volume, where their rates differ: this volume times the change of
+   * volume that the velocities of the cell's nodes cause. The rate is linear in
+   * these velocities, with the weights dN_i/dx_d, and also N_i / x for the hoop
+   * rate; the weights' sums over the particles suffice for any velocities.
    *
    * @tparam Number  Lanes while blocks are added, double for their sum.
    */
@@ -29,11 +29,8 @@ namespace Sandglass
     /// Places of the sums in `values`.
     enum Sum : unsigned int
     {
-      volume  = 0, ///< in m^3
-      weights = 1, ///< of the nodes' velocities, where they vary, in m^2
-      n_sums  = weights + (Setting::has_uniform_strain     ? 0 :
-                           Setting::has_constant_gradients ? n_nodes :
-                                                             dim * n_nodes)
+      weights = 0, ///< of the nodes' velocities, in m^2
+      n_sums  = Setting::has_constant_gradients ? n_nodes : dim * n_nodes
     };
 
     std::array<Number, n_sums> values;
@@ -44,15 +41,12 @@ namespace Sandglass
       set_to_zero(values);
     }
 
-    /// Add particles; those without mass, and those less dense, don't count.
+    /// Add particles; those without mass, and separated ones, don't count.
     void
     add(const State &state, const double smallest_density, const Shape &shape)
     {
-      const Number stressed_volume =
-        select(state.density >= Number(smallest_density),
-               state.volume(),
-               Number(0.));
-      values[volume] += stressed_volume;
+      const Number dense_volume =
+        select(is_dense(state, smallest_density), state.volume(), Number(0.));
       if constexpr (!Setting::has_constant_gradients)
         {
           const auto gradients = shape.reference_gradients(state.reference);
@@ -60,7 +54,7 @@ namespace Sandglass
             {
               Vector direction;
               for (unsigned int e = 0; e < dim; ++e)
-                direction[e] = stressed_volume * gradients[e][d];
+                direction[e] = dense_volume * gradients[e][d];
               const auto of_nodes =
                 Shape::derivatives_along(direction, state.reference);
               for (unsigned int i = 0; i < n_nodes; ++i)
@@ -70,16 +64,19 @@ namespace Sandglass
       if constexpr (Setting::has_hoop_strain)
         {
           const auto   shape_values = Shape::shape_values(state.reference);
-          const Number share        = stressed_volume / state.location[0];
+          const Number share        = dense_volume / state.location[0];
           for (unsigned int i = 0; i < n_nodes; ++i)
             values[radial_weight(i)] += share * shape_values[i];
         }
     }
 
-    /// The particles' change of volume in m^3/s, for velocities of the cell's
-    /// nodes in m/s.
+    /// The particles' change of volume in m^3/s.
+    ///
+    /// @param volume      of the dense particles, in m^3.
+    /// @param velocities  of the cell's nodes, in m/s.
     double
     rate_times_volume(const Shape                    &shape,
+                      const double                    volume,
                       const CellValues<dim, n_nodes> &velocities) const
     {
       double result = 0.;
@@ -89,7 +86,7 @@ namespace Sandglass
             gradient_of(velocities,
                         shape.shape_gradients(
                           typename Setting::template Vector<>()));
-          result = trace(gradient) * values[volume];
+          result = trace(gradient) * volume;
           if constexpr (Setting::has_hoop_strain)
             for (unsigned int i = 0; i < n_nodes; ++i)
               result += velocities[i][0] * values[radial_weight(i)];
