@@ -13,8 +13,20 @@ namespace Sandglass
   {
     constexpr double same_direction = 1. - 1e-8;
 
-    /// Integral of the linear shape function of a face's vertex over the face's
-    /// area.
+    /// A node of a face, with the integral of its shape function over the
+    /// face's area.
+    template <int dim>
+    struct FaceNode
+    {
+      types::global_dof_index dof;
+      unsigned int            vertex; ///< invalid in the middle of an edge
+      Point<dim>              position;
+      double                  area;
+    };
+
+
+
+    /// With linear shape functions.
     template <typename FaceIterator>
     double
     tributary_area(const FaceIterator &face,
@@ -28,6 +40,37 @@ namespace Sandglass
         positions += face->vertex(v);
       return face->measure() / n *
              measure<dim>(formulation, Point<dim>(positions / (n + 1.)));
+    }
+
+
+
+    template <typename FaceIterator>
+    auto
+    nodes_of(const FaceIterator &face,
+             const unsigned int  degree,
+             const Formulation   formulation)
+    {
+      constexpr int dim = FaceIterator::AccessorType::space_dimension;
+      Assert(degree == 1 || (degree == 2 && dim == 2), ExcNotImplemented());
+      std::vector<FaceNode<dim>> nodes;
+      for (const unsigned int v : face->vertex_indices())
+        nodes.push_back({face->vertex_dof_index(v, 0),
+                         face->vertex_index(v),
+                         face->vertex(v),
+                         tributary_area(face, v, formulation)});
+      if (degree == 1)
+        return nodes;
+      // Simpson's rule, exact here
+      const Point<dim> center = face->center();
+      for (FaceNode<dim> &node : nodes)
+        node.area =
+          face->measure() / 6. * measure<dim>(formulation, node.position);
+      nodes.push_back(
+        {face->dof_index(0),
+         numbers::invalid_unsigned_int,
+         center,
+         face->measure() * 4. / 6. * measure<dim>(formulation, center)});
+      return nodes;
     }
 
 
@@ -133,7 +176,10 @@ namespace Sandglass
       for (WallShare &share : support.walls)
         {
           const Wall<dim> &wall = walls[share.wall];
-          share.of_normal_force = share.area / support.area;
+          // A quadratic element's vertex on the axis has no area.
+          share.of_normal_force = support.area > 0. ?
+                                    share.area / support.area :
+                                    1. / support.walls.size();
           share.of_friction =
             friction > 0. ? wall.friction_coefficient * share.area / friction :
                             share.of_normal_force;
@@ -196,23 +242,23 @@ namespace Sandglass
               continue;
             const BoundaryPart part = boundary_part(walls, face->boundary_id());
             const bool         is_axis = part.role == BoundaryRole::axis;
-            for (const unsigned int v : face->vertex_indices())
+            for (const FaceNode<dim> &of_face :
+                 nodes_of(face, dof_handler.get_fe().degree, formulation))
               {
-                auto &node    = nodes[face->vertex_dof_index(v, 0)];
-                node.dof      = face->vertex_dof_index(v, 0);
-                node.vertex   = face->vertex_index(v);
-                node.position = face->vertex(v);
+                auto &node    = nodes[of_face.dof];
+                node.dof      = of_face.dof;
+                node.vertex   = of_face.vertex;
+                node.position = of_face.position;
                 if (is_open(part.role))
                   node.is_outlet_lip = true;
                 if (!is_axis && part.wall == no_wall)
                   continue;
                 auto &support =
                   find_support(node, outward_normal(cell, face_no), is_axis);
-                const double area = tributary_area(face, v, formulation);
                 if (is_axis)
-                  support.area += area;
+                  support.area += of_face.area;
                 else
-                  find_share(node, support, part.wall).area += area;
+                  find_share(node, support, part.wall).area += of_face.area;
               }
           }
       }

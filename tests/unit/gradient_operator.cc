@@ -109,6 +109,7 @@ TEST(InPlaneGradientOperator, ForcesAndStiffnessAreItsTransposes)
     {
       check_adjoint_and_stiffness<6>(has_hoop);
       check_adjoint_and_stiffness<8>(has_hoop);
+      check_adjoint_and_stiffness<12>(has_hoop);
     }
 }
 
@@ -120,5 +121,6 @@ TEST(InPlaneGradientOperator, FollowsTheConfiguration)
     {
       check_move<6>(has_hoop);
       check_move<8>(has_hoop);
+      check_move<12>(has_hoop);
     }
 }

@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "element_choice.h"
 #include "rectangle_mesh.h"
 #include "return_case.h"
 
@@ -18,14 +19,14 @@ namespace
   template <typename Kinematics>
   struct Patch
   {
-    explicit Patch(const CellType cell_type)
-      : scene(mesh(cell_type),
+    explicit Patch(const ElementChoice &element)
+      : scene(mesh(element.cell_type),
               WallParameters(),
               Kinematics::formulation,
               4,
               gravity,
               MPI_COMM_WORLD)
-      , grid(scene)
+      , grid(scene, element.order)
       , material(elasticity, 0.5)
       , equilibrium(grid, material, 1500., gravity)
       , forces(grid.make_vector())
@@ -50,14 +51,7 @@ namespace
     FilledGrid<2>::Vector
     linear_field(const Tensor<2, 2> &L) const
     {
-      FilledGrid<2>::Vector field = grid.make_vector();
-      field.zero_out_ghost_values();
-      for (const auto &cell : grid.dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int d = 0; d < 2; ++d)
-            field[cell->vertex_dof_index(v, d)] = (L * cell->vertex(v))[d];
-      field.update_ghost_values();
-      return field;
+      return nodal_field(grid, [&L](const Point<2> &x) { return L * x; });
     }
 
     /// Largest nodal force inside of the patch, over E times a cell's width.
@@ -65,16 +59,11 @@ namespace
     largest_inner_force() const
     {
       double largest = 0.;
-      for (const auto &cell : grid.dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const Point<2> &p = cell->vertex(v);
-            if (p[0] > 1.01 && p[0] < 1.99 && p[1] > 0.01 && p[1] < 0.99)
-              for (unsigned int d = 0; d < 2; ++d)
-                largest =
-                  std::max(largest,
-                           std::abs(forces[cell->vertex_dof_index(v, d)]));
-          }
+      for_each_node(grid, [&](const Point<2> &p, const auto &dofs) {
+        if (p[0] > 1.01 && p[0] < 1.99 && p[1] > 0.01 && p[1] < 0.99)
+          for (const auto dof : dofs)
+            largest = std::max(largest, std::abs(forces[dof]));
+      });
       return largest / (1e6 * 0.25);
     }
 
@@ -105,7 +94,7 @@ namespace
     return Tensor<2, 2>({{xx, xy}, {yx, yy}});
   }
 
-  class PatchTest : public testing::TestWithParam<CellType>
+  class PatchTest : public testing::TestWithParam<ElementChoice>
   {};
 } // namespace
 
@@ -176,10 +165,10 @@ TEST_P(PatchTest, WeightIsThatOfTheUndeformedMaterial)
               1e-14);
 }
 
-INSTANTIATE_TEST_SUITE_P(CellTypes,
+INSTANTIATE_TEST_SUITE_P(Elements,
                          PatchTest,
-                         testing::Values(CellType::triangle,
-                                         CellType::quadrilateral));
+                         testing::ValuesIn(all_elements),
+                         element_name);
 
 
 
@@ -187,10 +176,13 @@ INSTANTIATE_TEST_SUITE_P(CellTypes,
 // triangles is the quadrature exact.
 TEST(AxisymmetricPatch, UniformStrainNeedsNoInnerForces)
 {
-  Patch<Axisymmetric> patch(CellType::triangle);
-  const auto field = patch.linear_field(tensor(-0.010, 0., 0., -0.014));
-  patch.equilibrium.evaluate_forces(field, 0., patch.forces);
-  patch.expect_uniform_stress(
-    elasticity.stress(SymmetricComponents<4>(-0.010, -0.014, -0.010, 0.)));
-  EXPECT_LT(patch.largest_inner_force(), 1e-13);
+  for (const unsigned int order : {1, 2})
+    {
+      Patch<Axisymmetric> patch({CellType::triangle, order});
+      const auto field = patch.linear_field(tensor(-0.010, 0., 0., -0.014));
+      patch.equilibrium.evaluate_forces(field, 0., patch.forces);
+      patch.expect_uniform_stress(
+        elasticity.stress(SymmetricComponents<4>(-0.010, -0.014, -0.010, 0.)));
+      EXPECT_LT(patch.largest_inner_force(), 1e-13);
+    }
 }

@@ -120,10 +120,15 @@ namespace Sandglass
       return gradients.leftCols<n_dofs / 2>();
     }
 
-    /// Gradients at the nodes; a triangle doesn't have the last one.
-    Eigen::Matrix<double, 2, 4> gradients = Eigen::Matrix<double, 2, 4>::Zero();
-    Eigen::Vector4d             hoop      = Eigen::Vector4d::Zero();
-    bool                        has_hoop  = false;
+    /// A quadratic triangle's; other cells use fewer.
+    static constexpr int most_nodes = 6;
+
+    using NodeGradients = Eigen::Matrix<double, 2, most_nodes>;
+    using NodeValues    = Eigen::Matrix<double, most_nodes, 1>;
+
+    NodeGradients gradients = NodeGradients::Zero();
+    NodeValues    hoop      = NodeValues::Zero();
+    bool          has_hoop  = false;
   };
 } // namespace Sandglass
 

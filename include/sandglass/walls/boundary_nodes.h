@@ -17,9 +17,10 @@ namespace Sandglass
   template <int dim>
   struct BoundaryNode
   {
-    types::global_dof_index dof    = numbers::invalid_dof_index;
-    unsigned int            vertex = numbers::invalid_unsigned_int;
-    Point<dim>              position;
+    types::global_dof_index dof = numbers::invalid_dof_index;
+    /// Invalid in the middle of an edge.
+    unsigned int vertex = numbers::invalid_unsigned_int;
+    Point<dim>   position;
     /// Two or more where the boundary's direction jumps.
     Supports<dim> supports;
     /// Whether the node must not move at all (paper, Section 5.1).
@@ -41,7 +42,8 @@ namespace Sandglass
    * Throws InputError where the boundary has more directions at a node than
    * space has, or more than Support::most_walls walls in one of them.
    *
-   * @param dof_handler  scalar, linear, on a triangulation whose boundary faces
+   * @param dof_handler  scalar, linear or in the plane quadratic, on a
+   *                     triangulation whose boundary faces are straight and
    *                     have the walls' ids, or those of standard parts.
    */
   template <int dim>

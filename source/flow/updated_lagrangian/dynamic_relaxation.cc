@@ -7,10 +7,10 @@
 namespace Sandglass
 {
   template <int dim>
-  DynamicRelaxation<dim>::DynamicRelaxation(const FilledGrid<dim> &grid,
-                                            Equilibrium<dim>      &equilibrium,
-                                            WallContact<dim>      &contact,
-                                            const TangentStorage   storage)
+  DynamicRelaxation<dim>::DynamicRelaxation(const ElementGrid<dim> &grid,
+                                            Equilibrium<dim>       &equilibrium,
+                                            NodeConstraints<dim>   &contact,
+                                            const TangentStorage    storage)
     : grid(grid)
     , storage(storage)
     , out_of_balance(grid, equilibrium, contact)

@@ -5,7 +5,7 @@ namespace Sandglass
 {
   template <int dim>
   std::unique_ptr<Equilibrium<dim>>
-  make_equilibrium(const FilledGrid<dim>    &grid,
+  make_equilibrium(const ElementGrid<dim>   &grid,
                    const Formulation         formulation,
                    const MaterialParameters &material,
                    const Tensor<1, dim>     &gravity)
@@ -24,7 +24,7 @@ namespace Sandglass
 
 #define INSTANTIATE(dim)                                            \
   template std::unique_ptr<Equilibrium<dim>> make_equilibrium<dim>( \
-    const FilledGrid<dim> &,                                        \
+    const ElementGrid<dim> &,                                       \
     const Formulation,                                              \
     const MaterialParameters &,                                     \
     const Tensor<1, dim> &);

@@ -98,12 +98,13 @@ namespace Sandglass
 
 
   template <int dim>
-  NewtonSolver<dim>::NewtonSolver(const FilledGrid<dim>       &grid,
+  NewtonSolver<dim>::NewtonSolver(const ElementGrid<dim>      &grid,
                                   Equilibrium<dim>            &equilibrium,
-                                  WallContact<dim>            &contact,
-                                  const StaticStageParameters &parameters)
+                                  NodeConstraints<dim>        &contact,
+                                  const StaticStageParameters &parameters,
+                                  NewmarkInertia<dim>         *inertia)
     : parameters(parameters)
-    , out_of_balance(grid, equilibrium, contact)
+    , out_of_balance(grid, equilibrium, contact, inertia)
     , tangent(grid,
               grid.dof_handler.n_dofs() <= parameters.most_direct_unknowns ?
                 TangentStorage::columns :

@@ -21,7 +21,7 @@ namespace Sandglass
 
 
   template <int dim>
-  RestSolver<dim>::RestSolver(const FilledGrid<dim>       &grid,
+  RestSolver<dim>::RestSolver(const ElementGrid<dim>      &grid,
                               Equilibrium<dim>            &equilibrium,
                               WallContact<dim>            &contact,
                               const StaticStageParameters &parameters)

@@ -17,7 +17,7 @@ namespace Sandglass
   {
     template <int dim>
     TrilinosWrappers::SparsityPattern
-    make_sparsity(const FilledGrid<dim> &grid)
+    make_sparsity(const ElementGrid<dim> &grid)
     {
       TrilinosWrappers::SparsityPattern sparsity(
         grid.owned_dofs, grid.triangulation.get_communicator());
@@ -35,8 +35,8 @@ namespace Sandglass
 
 
   template <int dim>
-  TangentMatrix<dim>::TangentMatrix(const FilledGrid<dim> &grid,
-                                    const Storage          storage)
+  TangentMatrix<dim>::TangentMatrix(const ElementGrid<dim> &grid,
+                                    const Storage           storage)
     : storage(storage)
     , sparse_matrix(make_sparsity(grid))
     , dofs_per_cell(grid.finite_element.n_dofs_per_cell())

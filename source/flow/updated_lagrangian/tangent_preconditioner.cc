@@ -69,7 +69,7 @@ namespace Sandglass
 
 
   template <int dim>
-  TangentMultigrid<dim>::TangentMultigrid(const FilledGrid<dim>    &grid,
+  TangentMultigrid<dim>::TangentMultigrid(const ElementGrid<dim>   &grid,
                                           const TangentMatrix<dim> &tangent)
     : TangentPreconditioner<dim>(cost_of_multigrid, most_multigrid_iterations)
     , tangent(tangent)
@@ -110,7 +110,7 @@ namespace Sandglass
 
   template <int dim>
   std::unique_ptr<TangentPreconditioner<dim>>
-  make_preconditioner(const FilledGrid<dim>    &grid,
+  make_preconditioner(const ElementGrid<dim>   &grid,
                       const TangentMatrix<dim> &tangent)
   {
     if (tangent.storage == TangentStorage::columns)
@@ -124,7 +124,7 @@ namespace Sandglass
   template class TangentFactors<dim>;                                       \
   template class TangentMultigrid<dim>;                                     \
   template std::unique_ptr<TangentPreconditioner<dim>> make_preconditioner( \
-    const FilledGrid<dim> &, const TangentMatrix<dim> &);
+    const ElementGrid<dim> &, const TangentMatrix<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -11,7 +11,7 @@ namespace Sandglass
     /// the degrees of freedom that this rank owns, for some more than once.
     template <int dim, typename Function>
     void
-    for_each_owned_value(const FilledGrid<dim> &grid, const Function &function)
+    for_each_owned_value(const ElementGrid<dim> &grid, const Function &function)
     {
       for (const auto &cell : grid.dof_handler.active_cell_iterators())
         if (!cell->is_artificial())
@@ -29,7 +29,7 @@ namespace Sandglass
 
   template <int dim>
   std::vector<double>
-  values_at_vertices(const FilledGrid<dim>    &grid,
+  values_at_vertices(const ElementGrid<dim>   &grid,
                      const DisplacementVector &vector)
   {
     std::vector<double> values(dim * grid.triangulation.n_vertices(), 0.);
@@ -45,7 +45,7 @@ namespace Sandglass
 
   template <int dim>
   DisplacementVector
-  vector_of_values(const FilledGrid<dim>     &grid,
+  vector_of_values(const ElementGrid<dim>    &grid,
                    const std::vector<double> &values_at_vertices)
   {
     DisplacementVector vector = grid.make_vector();
@@ -60,9 +60,9 @@ namespace Sandglass
 
 
 #define INSTANTIATE(dim)                                                       \
-  template std::vector<double> values_at_vertices(const FilledGrid<dim> &,     \
+  template std::vector<double> values_at_vertices(const ElementGrid<dim> &,    \
                                                   const DisplacementVector &); \
-  template DisplacementVector  vector_of_values(const FilledGrid<dim> &,       \
+  template DisplacementVector  vector_of_values(const ElementGrid<dim> &,      \
                                                 const std::vector<double> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)

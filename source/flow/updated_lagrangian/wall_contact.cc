@@ -156,9 +156,9 @@ namespace Sandglass
 
   template <int dim>
   const typename WallContact<dim>::NodeEquations *
-  WallContact<dim>::equations_at(const unsigned int vertex_index) const
+  WallContact<dim>::equations_at(const unsigned int local_dof) const
   {
-    const unsigned int index = node_at_vertex[vertex_index];
+    const unsigned int index = node_at_dof[local_dof];
     return index == numbers::invalid_unsigned_int ? nullptr :
                                                     &nodes[index].equations;
   }
@@ -173,6 +173,21 @@ namespace Sandglass
       if (node.is_owned)
         for (unsigned int d = 0; d < dim; ++d)
           residual[node.dofs[d]] = node.equations.residual[d];
+  }
+
+
+
+  template <int dim>
+  void
+  WallContact<dim>::add_stiffness(TangentMatrix<dim> &matrix) const
+  {
+    for (const Node &node : nodes)
+      if (node.is_owned)
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            matrix.add(node.dofs[i],
+                       node.dofs[j],
+                       node.equations.stiffness[i][j]);
   }
 
 

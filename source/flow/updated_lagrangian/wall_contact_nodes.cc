@@ -39,22 +39,23 @@ namespace Sandglass
     : communicator(grid.triangulation.get_communicator())
     , tangential_penalty(parameters.tangential_penalty)
     , constraint_scale(constraint_scale)
-    , node_at_vertex(grid.triangulation.n_vertices(),
-                     numbers::invalid_unsigned_int)
+    , node_at_dof(grid.n_local_dofs(), numbers::invalid_unsigned_int)
   {
-    collect_nodes(grid, scene, parameters);
+    find_dofs(grid, collect_nodes(grid, scene, parameters));
+    const bool has_weight_at_vertices = grid.finite_element.degree == 1;
     for (Node &node : nodes)
       {
         for (unsigned int d = 0; d < dim; ++d)
           node.weight[d] = weight[node.dofs[d]];
-        open_supports(node);
+        if (has_weight_at_vertices)
+          open_supports(node);
       }
   }
 
 
 
   template <int dim>
-  void
+  std::map<types::global_dof_index, unsigned int>
   WallContact<dim>::collect_nodes(const FilledGrid<dim> &grid,
                                   const Scene<dim>      &scene,
                                   const WallParameters  &parameters)
@@ -66,31 +67,48 @@ namespace Sandglass
         align_with_axis<dim>(found.supports);
         index_of[found.dof] = nodes.size();
         Node node;
-        node.vertex   = grid.scene_vertices[found.vertex];
+        node.vertex   = found.vertex == numbers::invalid_unsigned_int ?
+                          found.vertex :
+                          grid.scene_vertices[found.vertex];
         node.supports = found.supports;
         for (unsigned int s = 0; s < found.supports.size(); ++s)
           node.states[s].is_bilateral =
             found.is_fixed || found.supports[s].is_axis;
         nodes.push_back(node);
       }
+    return index_of;
+  }
 
-    auto node_cell = grid.node_handler.begin_active();
-    for (const auto &cell : grid.dof_handler.active_cell_iterators())
+
+
+  template <int dim>
+  void
+  WallContact<dim>::find_dofs(
+    const FilledGrid<dim>                                 &grid,
+    const std::map<types::global_dof_index, unsigned int> &index_of)
+  {
+    std::vector<types::global_dof_index> scalar_dofs(
+      grid.node_handler.get_fe().n_dofs_per_cell()),
+      dofs(grid.finite_element.n_dofs_per_cell());
+    for (const auto &local_cell : grid.local_cells)
       {
-        if (!cell->is_artificial())
-          for (const unsigned int v : cell->vertex_indices())
-            {
-              const auto found =
-                index_of.find(node_cell->vertex_dof_index(v, 0));
-              if (found == index_of.end())
-                continue;
-              node_at_vertex[cell->vertex_index(v)] = found->second;
-              Node &node                            = nodes[found->second];
-              for (unsigned int d = 0; d < dim; ++d)
-                node.dofs[d] = cell->vertex_dof_index(v, d);
-              node.is_owned = grid.owned_dofs.is_element(node.dofs[0]);
-            }
-        ++node_cell;
+        local_cell.cell->get_dof_indices(dofs);
+        typename DoFHandler<dim>::active_cell_iterator(&grid.triangulation,
+                                                       local_cell.cell->level(),
+                                                       local_cell.cell->index(),
+                                                       &grid.node_handler)
+          ->get_dof_indices(scalar_dofs);
+        for (unsigned int i = 0; i < scalar_dofs.size(); ++i)
+          {
+            const auto found = index_of.find(scalar_dofs[i]);
+            if (found == index_of.end())
+              continue;
+            node_at_dof[local_cell.dofs[dim * i]] = found->second;
+            Node &node                            = nodes[found->second];
+            for (unsigned int d = 0; d < dim; ++d)
+              node.dofs[d] = dofs[dim * i + d];
+            node.is_owned = grid.owned_dofs.is_element(node.dofs[0]);
+          }
       }
   }
 

@@ -38,10 +38,10 @@ namespace Sandglass
 
     /// @param storage  of the elastic stiffness: factorized if by columns,
     ///                 inverted approximately by multigrid if by rows.
-    DynamicRelaxation(const FilledGrid<dim> &grid,
-                      Equilibrium<dim>      &equilibrium,
-                      WallContact<dim>      &contact,
-                      const TangentStorage   storage);
+    DynamicRelaxation(const ElementGrid<dim> &grid,
+                      Equilibrium<dim>       &equilibrium,
+                      NodeConstraints<dim>   &contact,
+                      const TangentStorage    storage);
 
     /**
      * @param displacement_before  at the start of the load step.
@@ -85,9 +85,9 @@ namespace Sandglass
     double
     squared_frequency();
 
-    const FilledGrid<dim> &grid;
-    const TangentStorage   storage;
-    OutOfBalance<dim>      out_of_balance;
+    const ElementGrid<dim> &grid;
+    const TangentStorage    storage;
+    OutOfBalance<dim>       out_of_balance;
 
     /// Made when they are needed: most scenes come to rest without.
     std::unique_ptr<TangentMatrix<dim>>         stiffness;

@@ -1,10 +1,11 @@
 #ifndef sandglass_flow_updated_lagrangian_equilibrium_h
 #define sandglass_flow_updated_lagrangian_equilibrium_h
 
+#include <sandglass/continuum/formulation.h>
 #include <sandglass/continuum/symmetric_components.h>
-#include <sandglass/flow/updated_lagrangian/filled_grid.h>
+#include <sandglass/flow/updated_lagrangian/element_grid.h>
+#include <sandglass/flow/updated_lagrangian/node_constraints.h>
 #include <sandglass/flow/updated_lagrangian/tangent_matrix.h>
-#include <sandglass/flow/updated_lagrangian/wall_contact.h>
 #include <sandglass/material/material_parameters.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -41,6 +42,14 @@ namespace Sandglass
       return nodal_weight;
     }
 
+    /// Time in s that steps take from here on, of which laws may want to know;
+    /// 0 for load steps, which are infinitely slow.
+    void
+    set_time_step(const double time_step)
+    {
+      this->time_step = time_step;
+    }
+
     /// Make the state of the last evaluate_forces() the start of a load step.
     virtual void
     start_step() = 0;
@@ -57,15 +66,16 @@ namespace Sandglass
                     Vector       &forces) = 0;
 
     /**
-     * Tangent of the equations with contact, at the last evaluate_forces().
+     * Tangent of the nodes' equations without inertia, at the last
+     * evaluate_forces().
      *
      * @param elastic_share  from 0, the law's exact tangent, to 1, the elastic
      *                       stiffness.
      */
     virtual void
-    assemble_tangent(const WallContact<dim> &contact,
-                     const double            elastic_share,
-                     TangentMatrix<dim>     &matrix) const = 0;
+    assemble_tangent(const NodeConstraints<dim> &constraints,
+                     const double                elastic_share,
+                     TangentMatrix<dim>         &matrix) const = 0;
 
     /// What is known at a quadrature point.
     struct PointState
@@ -75,9 +85,27 @@ namespace Sandglass
       std::vector<double>          law_state;    ///< see StateVariable
     };
 
-    /// @param index  see FilledGrid::point_index(); of FilledGrid::local_cells.
+    /// @param index  see ElementGrid::point_index(); of
+    /// ElementGrid::local_cells.
     virtual PointState
     point_state(const unsigned int index) const = 0;
+
+    /// Smallest ratio, over all ranks' quadrature points, of the volume at the
+    /// last evaluate_forces() to that at the start of the step; not above 1.
+    /// Collective.
+    virtual double
+    smallest_volume_ratio() const = 0;
+
+    /// Energies of the material in J (plane strain: per m of depth).
+    struct Energies
+    {
+      double elastic;    ///< stored, as far as the law knows it
+      double dissipated; ///< plastic work since the unloaded state
+    };
+
+    /// At the start of the step, on all ranks together. Collective.
+    virtual Energies
+    energies() const = 0;
 
     /// Write the state at the start of a load step; complete on rank 0.
     /// Collective.
@@ -97,11 +125,12 @@ namespace Sandglass
     has_constant_stiffness() const = 0;
 
   protected:
-    explicit Equilibrium(const FilledGrid<dim> &grid)
+    explicit Equilibrium(const ElementGrid<dim> &grid)
       : nodal_weight(grid.make_vector())
     {}
 
     Vector nodal_weight;
+    double time_step = 0.;
   };
 
 
@@ -109,7 +138,7 @@ namespace Sandglass
   /// For the law that the parameters name. Throws InputError.
   template <int dim>
   std::unique_ptr<Equilibrium<dim>>
-  make_equilibrium(const FilledGrid<dim>    &grid,
+  make_equilibrium(const ElementGrid<dim>   &grid,
                    const Formulation         formulation,
                    const MaterialParameters &material,
                    const Tensor<1, dim>     &gravity);

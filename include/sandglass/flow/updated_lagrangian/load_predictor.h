@@ -1,7 +1,7 @@
 #ifndef sandglass_flow_updated_lagrangian_load_predictor_h
 #define sandglass_flow_updated_lagrangian_load_predictor_h
 
-#include <sandglass/flow/updated_lagrangian/filled_grid.h>
+#include <sandglass/flow/updated_lagrangian/element_grid.h>
 
 #include <utility>
 

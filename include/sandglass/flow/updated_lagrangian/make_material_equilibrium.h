@@ -10,9 +10,9 @@ namespace Sandglass
   /// Defined and instantiated by cmake/choices.cmake.
   template <typename Kinematics>
   std::unique_ptr<Equilibrium<Kinematics::dim>>
-  make_material_equilibrium(const FilledGrid<Kinematics::dim> &grid,
-                            const MaterialParameters          &material,
-                            const Tensor<1, Kinematics::dim>  &gravity);
+  make_material_equilibrium(const ElementGrid<Kinematics::dim> &grid,
+                            const MaterialParameters           &material,
+                            const Tensor<1, Kinematics::dim>   &gravity);
 } // namespace Sandglass
 
 #endif

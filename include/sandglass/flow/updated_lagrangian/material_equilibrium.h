@@ -7,6 +7,8 @@
 
 #include <boost/serialization/array_wrapper.hpp>
 
+#include <type_traits>
+
 namespace Sandglass
 {
   /// Equilibrium of material of one law with one kinematics.
@@ -32,6 +34,8 @@ namespace Sandglass
       LawState<Law, double> law_state_before, law_state;
       /// Current over unloaded volume.
       double volume_ratio_before = 1., volume_ratio = 1.;
+      /// Plastic work since the unloaded state, per unloaded volume, in J/m^3.
+      double dissipation_before = 0., dissipation = 0.;
 
       template <class Archive>
       void
@@ -46,20 +50,21 @@ namespace Sandglass
           archive &boost::serialization::make_array(numbers->data(),
                                                     numbers->size());
         archive &volume_ratio_before &volume_ratio;
+        archive &dissipation_before  &dissipation;
       }
     };
 
     /// @param density  of the unloaded material, in kg/m^3.
-    MaterialEquilibrium(const FilledGrid<dim> &grid,
-                        const Law             &law,
-                        const double           density,
-                        const Tensor<1, dim>  &gravity);
+    MaterialEquilibrium(const ElementGrid<dim> &grid,
+                        const Law              &law,
+                        const double            density,
+                        const Tensor<1, dim>   &gravity);
 
     /// For a body force that varies in space, as in manufactured solutions.
-    MaterialEquilibrium(const FilledGrid<dim> &grid,
-                        const Law             &law,
-                        const double           density,
-                        const BodyForce       &body_force);
+    MaterialEquilibrium(const ElementGrid<dim> &grid,
+                        const Law              &law,
+                        const double            density,
+                        const BodyForce        &body_force);
 
     void
     start_step() override;
@@ -70,9 +75,15 @@ namespace Sandglass
                     Vector       &forces) override;
 
     void
-    assemble_tangent(const WallContact<dim> &contact,
-                     const double            elastic_share,
-                     TangentMatrix<dim>     &matrix) const override;
+    assemble_tangent(const NodeConstraints<dim> &constraints,
+                     const double                elastic_share,
+                     TangentMatrix<dim>         &matrix) const override;
+
+    double
+    smallest_volume_ratio() const override;
+
+    typename Base::Energies
+    energies() const override;
 
     PointState
     point_state(const unsigned int index) const override
@@ -102,7 +113,7 @@ namespace Sandglass
     }
 
     /// Quadrature point q of active cell i has the index i * n_points + q. Only
-    /// those of FilledGrid::local_cells mean anything.
+    /// those of ElementGrid::local_cells mean anything.
     const std::vector<MaterialPoint> &
     material_points() const
     {
@@ -110,12 +121,8 @@ namespace Sandglass
     }
 
   private:
-    using LocalCell        = typename FilledGrid<dim>::LocalCell;
+    using LocalCell        = typename ElementGrid<dim>::LocalCell;
     using GradientOperator = typename Kinematics::GradientOperator;
-
-    /// Degrees of freedom of a cell's displacement.
-    static constexpr int n_simplex_dofs = dim * (dim + 1);
-    static constexpr int n_cube_dofs    = dim << dim;
 
     /// All that is known at one quadrature point.
     struct SavedPoint
@@ -139,9 +146,12 @@ namespace Sandglass
            const Eigen::Ref<const Eigen::VectorXd> values,
            Vector                                 &vector) const;
 
-    /// Weight and unloaded configuration.
+    /// The unloaded configuration.
     void
-    set_up(const double density, const BodyForce &body_force);
+    set_up_points();
+
+    void
+    set_up_weight(const double density, const BodyForce &body_force);
 
     void
     set_up_point(const FEValues<dim> &fe_values,
@@ -176,24 +186,34 @@ namespace Sandglass
 
     template <int n_dofs>
     Eigen::Matrix<double, n_dofs, n_dofs>
-    cell_tangent(const CellAccessor<dim> &cell,
-                 const WallContact<dim>  &contact,
-                 const double             elastic_share) const;
+    cell_tangent(const LocalCell            &local_cell,
+                 const NodeConstraints<dim> &constraints,
+                 const double                elastic_share) const;
 
     template <int n_dofs>
     void
-    add_cell_tangents(const WallContact<dim> &contact,
-                      const double            elastic_share,
-                      TangentMatrix<dim>     &matrix) const;
+    add_cell_tangents(const NodeConstraints<dim> &constraints,
+                      const double                elastic_share,
+                      TangentMatrix<dim>         &matrix) const;
 
-    bool
-    has_simplices() const
+    /// Call `function(n)` with the number of a cell's degrees of freedom as a
+    /// constant that the compiler knows.
+    template <typename Function>
+    void
+    with_n_dofs(const Function &function) const
     {
-      return grid.finite_element.n_dofs_per_cell() == n_simplex_dofs;
+      using Grid           = ElementGrid<dim>;
+      const unsigned int n = grid.finite_element.n_dofs_per_cell();
+      if (n == Grid::n_simplex_dofs)
+        function(std::integral_constant<int, Grid::n_simplex_dofs>());
+      else if (n == Grid::n_cube_dofs)
+        function(std::integral_constant<int, Grid::n_cube_dofs>());
+      else
+        function(std::integral_constant<int, Grid::n_quadratic_dofs>());
     }
 
-    const FilledGrid<dim> &grid;
-    const Law              law;
+    const ElementGrid<dim> &grid;
+    const Law               law;
 
     std::vector<MaterialPoint>    points;
     std::vector<GradientOperator> gradient_operators;
@@ -205,5 +225,6 @@ namespace Sandglass
 
 #include <sandglass/flow/updated_lagrangian/equilibrium_checkpoint.templates.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.templates.h>
+#include <sandglass/flow/updated_lagrangian/material_equilibrium_set_up.templates.h>
 
 #endif

@@ -1,54 +1,14 @@
 #ifndef sandglass_flow_updated_lagrangian_material_equilibrium_templates_h
 #define sandglass_flow_updated_lagrangian_material_equilibrium_templates_h
 
+#include <deal.II/base/mpi.h>
+
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+
+#include <algorithm>
 
 namespace Sandglass
 {
-  template <int dim>
-  Eigen::Matrix<double, dim, dim>
-  to_eigen(const Tensor<2, dim> &tensor)
-  {
-    Eigen::Matrix<double, dim, dim> matrix;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        matrix(i, j) = tensor[i][j];
-    return matrix;
-  }
-
-
-
-  template <typename Kinematics, typename Law>
-  MaterialEquilibrium<Kinematics, Law>::MaterialEquilibrium(
-    const FilledGrid<dim> &grid,
-    const Law             &law,
-    const double           density,
-    const Tensor<1, dim>  &gravity)
-    : MaterialEquilibrium(grid, law, density, [gravity](const Point<dim> &) {
-      return gravity;
-    })
-  {}
-
-
-
-  template <typename Kinematics, typename Law>
-  MaterialEquilibrium<Kinematics, Law>::MaterialEquilibrium(
-    const FilledGrid<dim> &grid,
-    const Law             &law,
-    const double           density,
-    const BodyForce       &body_force)
-    : Base(grid)
-    , grid(grid)
-    , law(law)
-    , points(grid.triangulation.n_active_cells() * grid.quadrature.size())
-    , gradient_operators(points.size())
-    , volumes(points.size())
-  {
-    set_up(density, body_force);
-  }
-
-
-
   template <typename Kinematics, typename Law>
   void
   MaterialEquilibrium<Kinematics, Law>::add_to(
@@ -60,65 +20,6 @@ namespace Sandglass
     for (unsigned int i = 0; i < values.size(); ++i)
       if (local_cell.dofs[i] < n_owned)
         vector.local_element(local_cell.dofs[i]) += values[i];
-  }
-
-
-
-  template <typename Kinematics, typename Law>
-  void
-  MaterialEquilibrium<Kinematics, Law>::set_up(const double     density,
-                                               const BodyForce &body_force)
-  {
-    FEValues<dim> fe_values(grid.mapping,
-                            grid.finite_element,
-                            grid.quadrature,
-                            update_values | update_gradients |
-                              update_quadrature_points | update_JxW_values);
-    auto         &nodal_weight = this->nodal_weight;
-    nodal_weight.zero_out_ghost_values();
-    for (const auto &local_cell : grid.local_cells)
-      {
-        fe_values.reinit(local_cell.cell);
-        Eigen::VectorXd cell_weight =
-          Eigen::VectorXd::Zero(fe_values.dofs_per_cell);
-        for (const unsigned int q : fe_values.quadrature_point_indices())
-          {
-            const unsigned int index = grid.point_index(*local_cell.cell, q);
-            set_up_point(fe_values, q, index);
-            const Tensor<1, dim> force =
-              density * volumes[index] *
-              body_force(fe_values.quadrature_point(q));
-            for (const unsigned int i : fe_values.dof_indices())
-              cell_weight[i] +=
-                fe_values.shape_value(i, q) * force[grid.component(i)];
-          }
-        add_to(local_cell, cell_weight, nodal_weight);
-      }
-    nodal_weight.update_ghost_values();
-  }
-
-
-
-  template <typename Kinematics, typename Law>
-  void
-  MaterialEquilibrium<Kinematics, Law>::set_up_point(
-    const FEValues<dim> &fe_values,
-    const unsigned int   q,
-    const unsigned int   index)
-  {
-    const Point<dim> &position = fe_values.quadrature_point(q);
-    volumes[index] = fe_values.JxW(q) * Kinematics::measure(position);
-    points[index].law_state_before = points[index].law_state =
-      law.initial_state();
-
-    for (const unsigned int i : fe_values.dof_indices())
-      if (grid.component(i) == 0)
-        gradient_operators[index].set_node(i / dim,
-                                           fe_values.shape_grad(i, q),
-                                           Kinematics::has_hoop_strain ?
-                                             fe_values.shape_value(i, q) /
-                                               position[0] :
-                                             0.);
   }
 
 
@@ -146,6 +47,7 @@ namespace Sandglass
     point.stress_before       = point.stress;
     point.law_state_before    = point.law_state;
     point.volume_ratio_before = point.volume_ratio;
+    point.dissipation_before  = point.dissipation;
   }
 
 
@@ -160,12 +62,16 @@ namespace Sandglass
     MaterialPoint &point = points[index];
     point.gradient =
       gradient_operators[index].template gradient<n_dofs>(increment);
-    const auto step = Kinematics::Response::increment(point.gradient);
-    point.stress    = rotate(point.stress_before, step.rotation);
-    point.law_state = point.law_state_before;
-    law.correct(point.stress, point.law_state, law.predict(step, 0.));
-    point.volume_ratio = point.volume_ratio_before *
+    const auto step           = Kinematics::Response::increment(point.gradient);
+    point.stress              = rotate(point.stress_before, step.rotation);
+    point.law_state           = point.law_state_before;
+    const double plastic_work = law.correct(point.stress,
+                                            point.law_state,
+                                            law.predict(step, this->time_step));
+    point.volume_ratio        = point.volume_ratio_before *
                          Kinematics::Response::volume_ratio(point.gradient);
+    point.dissipation =
+      point.dissipation_before + plastic_work * point.volume_ratio;
   }
 
 
@@ -207,10 +113,9 @@ namespace Sandglass
   {
     forces.zero_out_ghost_values();
     forces = 0.;
-    if (has_simplices())
-      add_internal_forces<n_simplex_dofs>(increment, forces);
-    else
-      add_internal_forces<n_cube_dofs>(increment, forces);
+    with_n_dofs([&](const auto n) {
+      this->template add_internal_forces<decltype(n)::value>(increment, forces);
+    });
     forces.add(-load_share, this->nodal_weight);
     forces.update_ghost_values();
   }
@@ -221,15 +126,15 @@ namespace Sandglass
   template <int n_dofs>
   Eigen::Matrix<double, n_dofs, n_dofs>
   MaterialEquilibrium<Kinematics, Law>::cell_tangent(
-    const CellAccessor<dim> &cell,
-    const WallContact<dim>  &contact,
-    const double             elastic_share) const
+    const LocalCell            &local_cell,
+    const NodeConstraints<dim> &constraints,
+    const double                elastic_share) const
   {
     Eigen::Matrix<double, n_dofs, n_dofs> result;
     result.setZero();
     for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
       {
-        const unsigned int   index = grid.point_index(cell, q);
+        const unsigned int   index = grid.point_index(*local_cell.cell, q);
         const MaterialPoint &point = points[index];
         const auto           tangent =
           (volumes[index] *
@@ -240,12 +145,7 @@ namespace Sandglass
             .eval();
         result += gradient_operators[index].template stiffness<n_dofs>(tangent);
       }
-    for (const unsigned int v : cell.vertex_indices())
-      if (const auto *equations = contact.equations_at(cell.vertex_index(v)))
-        {
-          auto rows = result.template middleRows<dim>(dim * v);
-          rows      = (to_eigen(equations->force_operator) * rows).eval();
-        }
+    constraints.replace_rows(local_cell, result);
     return result;
   }
 
@@ -255,14 +155,14 @@ namespace Sandglass
   template <int n_dofs>
   void
   MaterialEquilibrium<Kinematics, Law>::add_cell_tangents(
-    const WallContact<dim> &contact,
-    const double            elastic_share,
-    TangentMatrix<dim>     &matrix) const
+    const NodeConstraints<dim> &constraints,
+    const double                elastic_share,
+    TangentMatrix<dim>         &matrix) const
   {
     for (unsigned int i = 0; i < grid.local_cells.size(); ++i)
       matrix.add(i,
-                 cell_tangent<n_dofs>(*grid.local_cells[i].cell,
-                                      contact,
+                 cell_tangent<n_dofs>(grid.local_cells[i],
+                                      constraints,
                                       elastic_share));
   }
 
@@ -271,18 +171,58 @@ namespace Sandglass
   template <typename Kinematics, typename Law>
   void
   MaterialEquilibrium<Kinematics, Law>::assemble_tangent(
-    const WallContact<dim> &contact,
-    const double            elastic_share,
-    TangentMatrix<dim>     &matrix) const
+    const NodeConstraints<dim> &constraints,
+    const double                elastic_share,
+    TangentMatrix<dim>         &matrix) const
   {
     matrix.set_zero();
-    if (has_simplices())
-      add_cell_tangents<n_simplex_dofs>(contact, elastic_share, matrix);
-    else
-      add_cell_tangents<n_cube_dofs>(contact, elastic_share, matrix);
-    contact.add_stiffness([&matrix](const auto i, const auto j, const auto a) {
-      matrix.add(i, j, a);
+    with_n_dofs([&](const auto n) {
+      this->template add_cell_tangents<decltype(n)::value>(constraints,
+                                                           elastic_share,
+                                                           matrix);
     });
+    constraints.add_stiffness(matrix);
+  }
+
+
+
+  template <typename Kinematics, typename Law>
+  double
+  MaterialEquilibrium<Kinematics, Law>::smallest_volume_ratio() const
+  {
+    double smallest = 1.;
+    for (const auto &local_cell : grid.local_cells)
+      for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
+        smallest =
+          std::min(smallest,
+                   Kinematics::Response::volume_ratio(
+                     points[grid.point_index(*local_cell.cell, q)].gradient));
+    return Utilities::MPI::min(smallest, grid.triangulation.get_communicator());
+  }
+
+
+
+  template <typename Kinematics, typename Law>
+  auto
+  MaterialEquilibrium<Kinematics, Law>::energies() const ->
+    typename Base::Energies
+  {
+    double elastic = 0., dissipated = 0.;
+    for (const auto &local_cell : grid.local_cells)
+      if (local_cell.cell->is_locally_owned())
+        for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
+          {
+            const unsigned int   index = grid.point_index(*local_cell.cell, q);
+            const MaterialPoint &point = points[index];
+            elastic +=
+              volumes[index] *
+              law.energy_density(point.stress_before, point.law_state_before);
+            dissipated += volumes[index] / point.volume_ratio_before *
+                          point.dissipation_before;
+          }
+    const MPI_Comm communicator = grid.triangulation.get_communicator();
+    return {Utilities::MPI::sum(elastic, communicator),
+            Utilities::MPI::sum(dissipated, communicator)};
   }
 } // namespace Sandglass
 

@@ -26,8 +26,9 @@ namespace Sandglass
   };
 
   /**
-   * Newton's method for one load step, with a line search. Where the exact
-   * tangent gives no descent, elastic stiffness is mixed into it until it does.
+   * Newton's method for one step, at rest or in motion, with a line search.
+   * Where the exact tangent gives no descent, elastic stiffness is mixed into
+   * it until it does.
    */
   template <int dim>
   class NewtonSolver
@@ -35,10 +36,12 @@ namespace Sandglass
   public:
     using Vector = DisplacementVector;
 
-    NewtonSolver(const FilledGrid<dim>       &grid,
+    /// @param inertia  null at rest.
+    NewtonSolver(const ElementGrid<dim>      &grid,
                  Equilibrium<dim>            &equilibrium,
-                 WallContact<dim>            &contact,
-                 const StaticStageParameters &parameters);
+                 NodeConstraints<dim>        &contact,
+                 const StaticStageParameters &parameters,
+                 NewmarkInertia<dim>         *inertia = nullptr);
 
     using Result = NewtonResult;
 

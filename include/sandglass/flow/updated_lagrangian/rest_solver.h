@@ -3,6 +3,7 @@
 
 #include <sandglass/flow/updated_lagrangian/dynamic_relaxation.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
+#include <sandglass/flow/updated_lagrangian/wall_contact.h>
 
 namespace Sandglass
 {
@@ -41,7 +42,7 @@ namespace Sandglass
   public:
     using Vector = DisplacementVector;
 
-    RestSolver(const FilledGrid<dim>       &grid,
+    RestSolver(const ElementGrid<dim>      &grid,
                Equilibrium<dim>            &equilibrium,
                WallContact<dim>            &contact,
                const StaticStageParameters &parameters);

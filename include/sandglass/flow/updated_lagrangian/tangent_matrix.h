@@ -3,7 +3,7 @@
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <sandglass/flow/updated_lagrangian/filled_grid.h>
+#include <sandglass/flow/updated_lagrangian/element_grid.h>
 
 #include <Eigen/Core>
 
@@ -20,7 +20,7 @@ namespace Sandglass
   };
 
   /**
-   * A sparse matrix on the nodes of a FilledGrid that is assembled many times:
+   * A sparse matrix on the nodes of a ElementGrid that is assembled many times:
    * where the entries of each cell stand is found once. To look for them each
    * time, as TrilinosWrappers::SparseMatrix::add() does, takes three times as
    * long.
@@ -34,7 +34,7 @@ namespace Sandglass
   public:
     using Storage = TangentStorage;
 
-    TangentMatrix(const FilledGrid<dim> &grid, const Storage storage);
+    TangentMatrix(const ElementGrid<dim> &grid, const Storage storage);
 
     TangentMatrix(const TangentMatrix &) = delete;
 
@@ -44,7 +44,7 @@ namespace Sandglass
     set_zero();
 
     /// Add a cell's matrix, as far as this rank stores it.
-    /// @param cell_number  of the cell in FilledGrid::local_cells.
+    /// @param cell_number  of the cell in ElementGrid::local_cells.
     void
     add(const unsigned int                      cell_number,
         const Eigen::Ref<const Eigen::MatrixXd> cell_matrix);

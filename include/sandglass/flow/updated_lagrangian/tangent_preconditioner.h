@@ -84,7 +84,7 @@ namespace Sandglass
   {
   public:
     /// @param tangent  stored by rows.
-    TangentMultigrid(const FilledGrid<dim>    &grid,
+    TangentMultigrid(const ElementGrid<dim>   &grid,
                      const TangentMatrix<dim> &tangent);
 
     bool
@@ -105,7 +105,7 @@ namespace Sandglass
   /// What fits the tangent's storage: factors for columns, multigrid for rows.
   template <int dim>
   std::unique_ptr<TangentPreconditioner<dim>>
-  make_preconditioner(const FilledGrid<dim>    &grid,
+  make_preconditioner(const ElementGrid<dim>   &grid,
                       const TangentMatrix<dim> &tangent);
 } // namespace Sandglass
 

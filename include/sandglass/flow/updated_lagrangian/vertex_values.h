@@ -1,7 +1,7 @@
 #ifndef sandglass_flow_updated_lagrangian_vertex_values_h
 #define sandglass_flow_updated_lagrangian_vertex_values_h
 
-#include <sandglass/flow/updated_lagrangian/filled_grid.h>
+#include <sandglass/flow/updated_lagrangian/element_grid.h>
 
 #include <vector>
 
@@ -13,13 +13,13 @@ namespace Sandglass
    */
   template <int dim>
   std::vector<double>
-  values_at_vertices(const FilledGrid<dim>    &grid,
+  values_at_vertices(const ElementGrid<dim>   &grid,
                      const DisplacementVector &vector);
 
   /// The same back as a vector with ghost entries.
   template <int dim>
   DisplacementVector
-  vector_of_values(const FilledGrid<dim>     &grid,
+  vector_of_values(const ElementGrid<dim>    &grid,
                    const std::vector<double> &values_at_vertices);
 } // namespace Sandglass
 

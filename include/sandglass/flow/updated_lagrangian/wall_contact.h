@@ -2,6 +2,7 @@
 #define sandglass_flow_updated_lagrangian_wall_contact_h
 
 #include <sandglass/flow/updated_lagrangian/filled_grid.h>
+#include <sandglass/flow/updated_lagrangian/node_constraints.h>
 #include <sandglass/walls/boundary_nodes.h>
 #include <sandglass/walls/corner.h>
 #include <sandglass/walls/wall_force.h>
@@ -10,6 +11,7 @@
 #include <boost/archive/binary_oarchive.hpp>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace Sandglass
@@ -39,12 +41,15 @@ namespace Sandglass
    * the top of a hopper it can slide, and closes the gap to the vertical wall
    * only if it is pushed there. Likewise nothing starts in contact with a
    * ceiling, an insert's lower side: there it would hang, and only slide along.
+   * In quadratic elements all supports start in contact: at vertices there is
+   * no weight that could tell.
    */
   template <int dim>
-  class WallContact
+  class WallContact : public NodeConstraints<dim>
   {
   public:
-    using Vector = DisplacementVector;
+    using Vector        = DisplacementVector;
+    using NodeEquations = typename NodeConstraints<dim>::NodeEquations;
 
     /**
      * @param weight            nodal forces of the whole weight in N, with
@@ -59,61 +64,36 @@ namespace Sandglass
                 const Vector          &weight,
                 const double           constraint_scale);
 
-    /**
-     * The equations that a node has instead of G = 0: their residual, and their
-     * tangent force_operator dG/du + stiffness.
-     */
-    struct NodeEquations
-    {
-      Tensor<2, dim> force_operator;
-      Tensor<2, dim> stiffness; ///< in N/m
-      Tensor<1, dim> residual;  ///< in N
-    };
-
-    /**
-     * Set up all nodes' equations at an iterate.
-     *
-     * @param force         G, in N, with ghost entries.
-     * @param displacement  since the unloaded state, with ghost entries.
-     * @param increment     since the start of the load step, likewise.
-     */
     void
     evaluate(const Vector &force,
              const Vector &displacement,
-             const Vector &increment);
+             const Vector &increment) override;
 
-    /// Null for a vertex without support.
+    /// Null for a node without support.
     const NodeEquations *
-    equations_at(const unsigned int vertex_index) const;
+    equations_at(const unsigned int local_dof) const override;
 
-    /// Overwrite the residual, in owned entries, where nodes are supported.
     void
-    replace_residual(Vector &residual) const;
+    replace_residual(Vector &residual) const override;
 
-    /// Call `add(dof_i, dof_j, value)` for the owned nodes' stiffness.
-    template <typename Function>
     void
-    add_stiffness(const Function &add) const;
+    add_stiffness(TangentMatrix<dim> &matrix) const override;
 
     /**
      * Release supports that pull, and close those that the displacement has
-     * passed. Needs evaluate() at the same iterate. A pull below the node's own
-     * weight is left as it is, without friction: the mesh doesn't resolve it,
-     * and at the free surface the released node would often find no other
-     * place. From a ceiling the weight itself pulls; it is not allowed for.
-     *
-     * @param load_share  share of gravity that acts.
-     * @return number of changes on all ranks.
+     * passed. A pull below the node's own weight is left as it is, without
+     * friction: the mesh doesn't resolve it, and at the free surface the
+     * released node would often find no other place. From a ceiling the weight
+     * itself pulls; it is not allowed for.
      */
     unsigned int
-    update_contact(const double load_share);
+    update_contact(const double load_share) override;
 
-    /// Keep forces and contact as the start of the next load step.
     void
-    commit();
-    /// Go back to the start of the load step.
+    commit() override;
+
     void
-    restore();
+    restore() override;
 
     /// Which supports are in contact, node by node.
     std::vector<SupportSet>
@@ -123,11 +103,13 @@ namespace Sandglass
     void
     set_active_supports(const std::vector<SupportSet> &active);
 
-    /// Wall forces on the owned nodes.
+    /// Wall forces on the owned nodes. A node on the edge of a quadratic
+    /// element has an invalid vertex.
     std::vector<WallForce<dim>>
     wall_forces() const;
 
-    /// Write what commit() has kept; complete on rank 0. Collective.
+    /// Write what commit() has kept; complete on rank 0. Collective. For linear
+    /// elements.
     void
     save(boost::archive::binary_oarchive &archive) const;
 
@@ -154,7 +136,8 @@ namespace Sandglass
 
     struct Node
     {
-      unsigned int                             vertex; ///< of the scene's mesh
+      /// Of the scene's mesh; invalid on an edge.
+      unsigned int                             vertex;
       std::array<types::global_dof_index, dim> dofs;
       bool                                     is_owned = false;
       Tensor<1, dim>                           weight; ///< in N
@@ -163,10 +146,16 @@ namespace Sandglass
       NodeEquations                            equations;
     };
 
-    void
+    /// The nodes with their supports, without degrees of freedom.
+    /// @return their indices by degree of freedom of FilledGrid::node_handler.
+    std::map<types::global_dof_index, unsigned int>
     collect_nodes(const FilledGrid<dim> &grid,
                   const Scene<dim>      &scene,
                   const WallParameters  &parameters);
+    /// Let the nodes know their degrees of freedom.
+    void
+    find_dofs(const FilledGrid<dim>                                 &grid,
+              const std::map<types::global_dof_index, unsigned int> &index_of);
     /// Let a node that rests on several walls start on one of them, and open
     /// ceilings, from which the weight pulls.
     void
@@ -191,26 +180,13 @@ namespace Sandglass
                     const Tensor<1, dim> &force,
                     const Tensor<1, dim> &displacement) const;
 
-    const MPI_Comm            communicator;
-    const double              tangential_penalty;
-    const double              constraint_scale;
-    std::vector<Node>         nodes;
-    std::vector<unsigned int> node_at_vertex;
+    const MPI_Comm    communicator;
+    const double      tangential_penalty;
+    const double      constraint_scale;
+    std::vector<Node> nodes;
+    /// By the first degree of freedom's place in this rank's vectors.
+    std::vector<unsigned int> node_at_dof;
   };
-
-
-
-  template <int dim>
-  template <typename Function>
-  void
-  WallContact<dim>::add_stiffness(const Function &add) const
-  {
-    for (const Node &node : nodes)
-      if (node.is_owned)
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int j = 0; j < dim; ++j)
-            add(node.dofs[i], node.dofs[j], node.equations.stiffness[i][j]);
-  }
 } // namespace Sandglass
 
 #endif
