@@ -87,9 +87,10 @@ public:
           exact(fe_values.quadrature_point(q));
         const Sandglass::SymmetricComponents<4> difference =
           computed(grid.point_index(*cell, q)) - value;
-        error +=
-          double_contraction(difference, difference) * volume(fe_values, q);
-        scale += double_contraction(value, value) * volume(fe_values, q);
+        error += Sandglass::double_contraction(difference, difference) *
+                 volume(fe_values, q);
+        scale +=
+          Sandglass::double_contraction(value, value) * volume(fe_values, q);
       });
     return std::sqrt(error / scale);
   }

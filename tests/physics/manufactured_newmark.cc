@@ -171,9 +171,9 @@ TEST_P(ManufacturedNewmark, ConvergesWithTheElementsOrders)
                      MotionRun<PlaneStrain>(element, n_cells).errors() :
                      MotionRun<Axisymmetric>(element, n_cells).errors();
   };
-  const unsigned int coarsest = 8 / order;
-  Errors             coarse   = errors(coarsest);
-  for (const unsigned int n_cells : {2 * coarsest, 4 * coarsest})
+  const unsigned int finest = order == 1 ? 32 : 16;
+  Errors             coarse = errors(8);
+  for (unsigned int n_cells = 16; n_cells <= finest; n_cells *= 2)
     {
       const Errors fine = errors(n_cells);
       const double displacement_order =
@@ -188,7 +188,7 @@ TEST_P(ManufacturedNewmark, ConvergesWithTheElementsOrders)
       // Orders 2 and 1, or 3 and 2, but for the scatter of irregular meshes.
       EXPECT_GT(displacement_order, order + 0.8);
       EXPECT_GT(stress_order, order - 0.1);
-      EXPECT_GT(velocity_order, order - 0.1);
+      EXPECT_GT(velocity_order, order + 0.8);
       coarse = fine;
     }
 }

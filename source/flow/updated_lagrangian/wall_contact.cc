@@ -253,31 +253,6 @@ namespace Sandglass
 
 
   template <int dim>
-  std::vector<SupportSet>
-  WallContact<dim>::active_supports() const
-  {
-    std::vector<SupportSet> active(nodes.size(), 0);
-    for (unsigned int n = 0; n < nodes.size(); ++n)
-      for (unsigned int s = 0; s < dim; ++s)
-        if (nodes[n].states[s].is_active)
-          active[n] |= 1u << s;
-    return active;
-  }
-
-
-
-  template <int dim>
-  void
-  WallContact<dim>::set_active_supports(const std::vector<SupportSet> &active)
-  {
-    for (unsigned int n = 0; n < nodes.size(); ++n)
-      for (unsigned int s = 0; s < dim; ++s)
-        nodes[n].states[s].is_active = contains(active[n], s);
-  }
-
-
-
-  template <int dim>
   std::vector<WallForce<dim>>
   WallContact<dim>::wall_forces() const
   {

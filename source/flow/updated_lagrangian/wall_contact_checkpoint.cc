@@ -83,9 +83,37 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template void WallContact<dim>::save(boost::archive::binary_oarchive &) \
-    const;                                                                \
+  template <int dim>
+  std::vector<SupportSet>
+  WallContact<dim>::active_supports() const
+  {
+    std::vector<SupportSet> active(nodes.size(), 0);
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (unsigned int s = 0; s < dim; ++s)
+        if (nodes[n].states[s].is_active)
+          active[n] |= 1u << s;
+    return active;
+  }
+
+
+
+  template <int dim>
+  void
+  WallContact<dim>::set_active_supports(const std::vector<SupportSet> &active)
+  {
+    for (unsigned int n = 0; n < nodes.size(); ++n)
+      for (unsigned int s = 0; s < dim; ++s)
+        nodes[n].states[s].is_active = contains(active[n], s);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                      \
+  template std::vector<SupportSet> WallContact<dim>::active_supports() const; \
+  template void                    WallContact<dim>::set_active_supports(     \
+    const std::vector<SupportSet> &);                      \
+  template void WallContact<dim>::save(boost::archive::binary_oarchive &)     \
+    const;                                                                    \
   template void WallContact<dim>::load(boost::archive::binary_iarchive &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
