@@ -3,6 +3,7 @@
 
 #include <sandglass/continuum/axisymmetric.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+#include <sandglass/flow/updated_lagrangian/wall_contact.h>
 
 #include <gtest/gtest.h>
 

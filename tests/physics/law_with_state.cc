@@ -6,6 +6,7 @@
 #include <sandglass/flow/particle_in_cell/law_adapter.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
+#include <sandglass/flow/updated_lagrangian/wall_contact.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include <sandglass/choices.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
+#include <sandglass/flow/updated_lagrangian/wall_contact.h>
 
 #include <gtest/gtest.h>
 

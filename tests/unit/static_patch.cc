@@ -1,4 +1,5 @@
 #include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/filled_grid.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 
 #include <gtest/gtest.h>
