@@ -84,11 +84,11 @@ namespace RezoningTest
   using ScalarFunction = std::function<double(const Point<2> &)>;
 
   /// Functions' values at points.
-  inline Field
+  inline MeshField
   values_at(const std::vector<Point<2>>       &points,
             const std::vector<ScalarFunction> &functions)
   {
-    Field field = Field::zero(functions.size(), points.size());
+    MeshField field = MeshField::zero(functions.size(), points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       for (unsigned int c = 0; c < functions.size(); ++c)
         field.at(i)[c] = functions[c](points[i]);
@@ -96,7 +96,7 @@ namespace RezoningTest
   }
 
   inline double
-  largest_difference(const Field &a, const Field &b)
+  largest_difference(const MeshField &a, const MeshField &b)
   {
     double largest = 0.;
     for (unsigned int i = 0; i < a.values.size(); ++i)
@@ -106,7 +106,7 @@ namespace RezoningTest
 
   /// Root of the mean square difference.
   inline double
-  mean_difference(const Field &a, const Field &b)
+  mean_difference(const MeshField &a, const MeshField &b)
   {
     double sum = 0.;
     for (unsigned int i = 0; i < a.values.size(); ++i)

@@ -32,6 +32,38 @@ namespace Sandglass
 
 
 
+    /// The same where strain and rotation are taken in the middle of the step:
+    /// their derivatives by central differences, which cost less than the law
+    /// and are exact to ten digits.
+    Matrix4x5
+    midpoint_stress_derivative(const SymmetricComponents<4> &stress_before,
+                               const Gradient5              &H,
+                               const MaterialTangent<4>     &material)
+    {
+      constexpr double step = 1e-5;
+      Matrix4x5        derivative;
+      for (int c = 0; c < 5; ++c)
+        {
+          Gradient5 more = H, less = H;
+          more[c] += step;
+          less[c] -= step;
+          const auto after =
+            InPlaneResponse::increment(more, StressIntegration::middle_of_step);
+          const auto before =
+            InPlaneResponse::increment(less, StressIntegration::middle_of_step);
+          const SymmetricComponents<4> strain = after.strain - before.strain;
+          const SymmetricComponents<4> turned =
+            rotate(stress_before, after.rotation) -
+            rotate(stress_before, before.rotation);
+          derivative.col(c) =
+            (material.by_strain * strain + material.by_stress * turned) /
+            (2. * step);
+        }
+      return derivative;
+    }
+
+
+
     /// Derivative of the Piola stress with respect to the stress at fixed H.
     Matrix5x4
     stress_sensitivity(const Gradient5 &H)
@@ -83,9 +115,13 @@ namespace Sandglass
   InPlaneResponse::tangent(const SymmetricComponents<4> &stress_before,
                            const SymmetricComponents<4> &stress,
                            const Gradient5              &H,
-                           const MaterialTangent<4>     &material)
+                           const MaterialTangent<4>     &material,
+                           const StressIntegration       integration)
   {
-    return geometric_tangent(stress, H) +
-           stress_sensitivity(H) * stress_derivative(stress_before, material);
+    const Matrix4x5 derivative =
+      integration == StressIntegration::start_of_step ?
+        stress_derivative(stress_before, material) :
+        midpoint_stress_derivative(stress_before, H, material);
+    return geometric_tangent(stress, H) + stress_sensitivity(H) * derivative;
   }
 } // namespace Sandglass

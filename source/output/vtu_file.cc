@@ -91,6 +91,8 @@ namespace Sandglass
             return VTK_TRIANGLE;
           case 4:
             return piece.cell_dimension == 2 ? VTK_QUAD : VTK_TETRA;
+          case 6:
+            return VTK_QUADRATIC_TRIANGLE;
           default:
             return VTK_HEXAHEDRON;
         }

@@ -34,6 +34,7 @@ namespace Sandglass
       {"Particle stage", "Time step interval"},
       {"Particle stage", "On lost particle"},
       {"Particle stage", "Largest speed"},
+      {"Updated Lagrangian stage", "Time step"},
       {"Element test", "Kind"},
       {"Element test", "Initial stress"},
       {"Element test", "Axial strain"},

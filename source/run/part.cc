@@ -23,7 +23,11 @@ namespace Sandglass
     , flow(make_flow(scene,
                      parameters.material,
                      parameters.walls,
-                     parameters.particle_stage))
+                     {parameters.flow,
+                      parameters.particle_stage,
+                      parameters.updated_lagrangian,
+                      parameters.static_stage},
+                     log.stream()))
     , observers(parameters.output,
                 scene,
                 parameters.scene.resolution(),

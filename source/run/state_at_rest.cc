@@ -1,3 +1,5 @@
+#include <deal.II/base/mpi.h>
+
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
 #include <sandglass/flow/throw_law_failure.h>
@@ -71,6 +73,44 @@ namespace Sandglass
 
 
 
+  namespace
+  {
+    /// For a flow that each rank computes alone: each finds all of the state at
+    /// rest, by the flow's own elements.
+    template <int dim>
+    AtRest
+    find_on_each_rank(const Parameters &parameters, Part<dim> &part, Log &log)
+    {
+      const Scene<dim> scene(part.scene.mesh,
+                             parameters.walls,
+                             part.scene.formulation,
+                             part.scene.particles_per_cell,
+                             part.scene.gravity,
+                             MPI_COMM_SELF);
+      StaticStage<dim> static_stage(
+        scene,
+        parameters.material,
+        parameters.walls,
+        parameters.static_stage,
+        log.stream(),
+        parameters.updated_lagrangian.element_order);
+      const StaticState<dim> state =
+        settle(static_stage, scene, parameters.material, log);
+      carry_to_particles(state, scene, *part.flow, true);
+
+      AtRest     result{static_stage.view().wall_records(), state.effort};
+      const bool is_first =
+        Utilities::MPI::this_mpi_process(part.scene.communicator) == 0;
+      if (!is_first)
+        result.wall_records.records.clear();
+      else if (parameters.output.writes_grid)
+        static_stage.write_vtu(parameters.output.directory);
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::optional<AtRest>
   find_state_at_rest(const Parameters            &parameters,
@@ -81,7 +121,9 @@ namespace Sandglass
   {
     if (!parameters.static_stage.is_enabled)
       return {};
-    TimerOutput::Scope     static_scope(timings, Timing::static_stage);
+    TimerOutput::Scope static_scope(timings, Timing::static_stage);
+    if (parameters.flow.method == FlowParameters::Method::updated_lagrangian)
+      return find_on_each_rank(parameters, part, log);
     StaticStage<dim>       static_stage(part.scene,
                                   parameters.material,
                                   parameters.walls,

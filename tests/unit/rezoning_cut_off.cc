@@ -66,9 +66,9 @@ TEST(RezoningCutOff, AllMassIsCounted)
   EXPECT_GT(n_free, 8);
 
   // Fields follow.
-  const Field x =
+  const MeshField x =
     values_at(mesh.nodes, {[](const Point<2> &p) { return p[0]; }});
-  const Field x_left = x.at_blocks(left.nodes);
+  const MeshField x_left = x.at_blocks(left.nodes);
   ASSERT_EQ(x_left.values.size(), left.mesh.nodes.size());
   for (unsigned int i = 0; i < left.nodes.size(); ++i)
     EXPECT_EQ(x_left.values[i], left.mesh.nodes[i][0]);

@@ -77,9 +77,10 @@ namespace
     InvariantErrors errors;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const Field  exact = values_at({points[i] - travelled}, smooth_stress);
-        const auto   is    = invariants(state.point_fields.at(i));
-        const auto   was   = invariants(exact.at(0));
+        const MeshField exact =
+          values_at({points[i] - travelled}, smooth_stress);
+        const auto   is       = invariants(state.point_fields.at(i));
+        const auto   was      = invariants(exact.at(0));
         const double pressure = std::abs(is[0] - was[0]) / 2.5e3;
         errors.mean += pressure * pressure / points.size();
         errors.pressure = std::max(errors.pressure, pressure);

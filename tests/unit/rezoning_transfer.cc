@@ -18,10 +18,10 @@ namespace
       return p[0] * p[0] - 2. * p[0] * p[1] + 3. * p[1] * p[1] - p[1];
     }};
 
-  Field
+  MeshField
   transfer_nodes(const TriangleMesh &old_mesh,
                  const TriangleMesh &new_mesh,
-                 const Field        &field)
+                 const MeshField    &field)
   {
     const PointLocator locator(old_mesh);
     return transfer_nodal_field(old_mesh,
@@ -44,7 +44,7 @@ namespace
   transfer_points(const TriangleMesh  &old_mesh,
                   const TriangleMesh  &new_mesh,
                   const Quadrature<2> &quadrature,
-                  const Field         &field,
+                  const MeshField     &field,
                   const double         margin,
                   const Admissible    &is_admissible = {})
   {
@@ -160,10 +160,10 @@ TEST(RezoningTransfer, PointPolynomialsAreKept)
       const QGaussSimplex<2> quadrature(n);
       const auto             old_mesh = mesh_of(square(), 0.11);
       const auto             new_mesh = mesh_of(square(), 0.07);
-      const auto  old_points = quadrature_positions(old_mesh, quadrature);
-      const auto  new_points = quadrature_positions(new_mesh, quadrature);
-      const Field exact      = values_at(new_points, polynomials);
-      const Field field      = values_at(old_points, polynomials);
+      const auto      old_points = quadrature_positions(old_mesh, quadrature);
+      const auto      new_points = quadrature_positions(new_mesh, quadrature);
+      const MeshField exact      = values_at(new_points, polynomials);
+      const MeshField field      = values_at(old_points, polynomials);
 
       const auto free =
         transfer_points(old_mesh, new_mesh, quadrature, field, 1e3);
@@ -230,7 +230,8 @@ TEST(RezoningTransfer, ValuesAreAdmissible)
   const auto             old_mesh = mesh_of(square(), 0.1);
   const auto             new_mesh = mesh_of(square(), 0.08);
   auto                   engine   = random_engine();
-  Field field = Field::zero(2, old_mesh.cells.size() * quadrature.size());
+  MeshField              field =
+    MeshField::zero(2, old_mesh.cells.size() * quadrature.size());
   for (unsigned int i = 0; i < field.values.size() / 2; ++i)
     {
       const double sum   = -std::pow(random_number(engine), 4);
@@ -267,10 +268,10 @@ TEST(RezoningTransfer, ThereAndBackConverges)
   std::vector<double>               nodal_errors, point_errors;
   for (const double size : {0.1, 0.05, 0.025})
     {
-      const auto  first  = mesh_of(square(), size);
-      const auto  second = mesh_of(square(), size / 1.1);
-      const Field nodes  = values_at(first.nodes, waves);
-      const Field points =
+      const auto      first  = mesh_of(square(), size);
+      const auto      second = mesh_of(square(), size / 1.1);
+      const MeshField nodes  = values_at(first.nodes, waves);
+      const MeshField points =
         values_at(quadrature_positions(first, quadrature), waves);
       nodal_errors.push_back(mean_difference(
         nodes,

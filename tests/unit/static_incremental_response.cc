@@ -23,11 +23,13 @@ namespace
 
   /// The elastic stress after the increment.
   SymmetricComponents<4>
-  trial_stress(const Elasticity             &elasticity,
-               const SymmetricComponents<4> &stress_before,
-               const Gradient5              &H)
+  trial_stress(
+    const Elasticity             &elasticity,
+    const SymmetricComponents<4> &stress_before,
+    const Gradient5              &H,
+    const StressIntegration integration = StressIntegration::start_of_step)
   {
-    const auto increment = InPlaneResponse::increment(H);
+    const auto increment = InPlaneResponse::increment(H, integration);
     return rotate(stress_before, increment.rotation) +
            elasticity.stress(increment.strain);
   }
@@ -36,9 +38,12 @@ namespace
 
   /// As the static stage finds it, by the law.
   SymmetricComponents<4>
-  stress_after(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
+  stress_after(
+    const SymmetricComponents<4> &stress_before,
+    const Gradient5              &H,
+    const StressIntegration integration = StressIntegration::start_of_step)
   {
-    const auto             increment = InPlaneResponse::increment(H);
+    const auto increment          = InPlaneResponse::increment(H, integration);
     SymmetricComponents<4> stress = rotate(stress_before, increment.rotation);
     auto                   law_state = material.initial_state();
     material.correct(stress, law_state, material.predict(increment, 0.));
@@ -48,41 +53,53 @@ namespace
 
 
   Gradient5
-  piola_stress(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
+  piola_stress(const SymmetricComponents<4> &stress_before,
+               const Gradient5              &H,
+               const StressIntegration       integration)
   {
-    return InPlaneResponse::piola_stress(stress_after(stress_before, H), H);
+    return InPlaneResponse::piola_stress(
+      stress_after(stress_before, H, integration), H);
   }
 
 
 
   Matrix5
-  tangent(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
+  tangent(
+    const SymmetricComponents<4> &stress_before,
+    const Gradient5              &H,
+    const StressIntegration integration = StressIntegration::start_of_step)
   {
     const ComponentMatrix<4> projection = material.projection_derivative(
-      trial_stress(elasticity, stress_before, H));
+      trial_stress(elasticity, stress_before, H, integration));
     return InPlaneResponse::tangent(stress_before,
-                                    stress_after(stress_before, H),
+                                    stress_after(stress_before, H, integration),
                                     H,
                                     {projection,
-                                     projection * elasticity.stiffness<4>()});
+                                     projection * elasticity.stiffness<4>()},
+                                    integration);
   }
 
 
 
   /// Largest difference to central differences, over the confined modulus.
   double
-  tangent_error(const SymmetricComponents<4> &stress_before, const Gradient5 &H)
+  tangent_error(
+    const SymmetricComponents<4> &stress_before,
+    const Gradient5              &H,
+    const StressIntegration integration = StressIntegration::start_of_step)
   {
     constexpr double step = 1e-6;
     Matrix5          differences;
     for (int i = 0; i < 5; ++i)
       {
         const Gradient5 change = step * Gradient5::Unit(i);
-        differences.col(i)     = (piola_stress(stress_before, H + change) -
-                              piola_stress(stress_before, H - change)) /
-                             (2. * step);
+        differences.col(i) =
+          (piola_stress(stress_before, H + change, integration) -
+           piola_stress(stress_before, H - change, integration)) /
+          (2. * step);
       }
-    return (tangent(stress_before, H) - differences).lpNorm<Eigen::Infinity>() /
+    return (tangent(stress_before, H, integration) - differences)
+             .lpNorm<Eigen::Infinity>() /
            elasticity.confined_modulus();
   }
 
@@ -133,6 +150,18 @@ TEST(IncrementalResponse, TangentAgreesWithDifferencesWhereYielding)
       ASSERT_EQ(case_of_increment(initial_stress, H), ReturnCase::yielding);
       EXPECT_LT(tangent_error(initial_stress, H), 1e-8);
     }
+}
+
+
+
+TEST(IncrementalResponse, TangentAgreesWithDifferencesInTheMiddleOfTheStep)
+{
+  for (const double hoop : {0., -0.004})
+    for (const double size : {1., 0.05, 5.})
+      EXPECT_LT(tangent_error(initial_stress,
+                              size * gradient(0.004, 0.05, -0.03, -0.04, hoop),
+                              StressIntegration::middle_of_step),
+                1e-7);
 }
 
 

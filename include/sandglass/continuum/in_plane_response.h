@@ -59,14 +59,17 @@ namespace Sandglass
     }
 
     /// Strain sym(H) and rotation by the spin skew(H), by the forward-Euler
-    /// rule of Section 4.1 of the paper.
+    /// rule of Section 4.1 of the paper; or both in the middle of the step,
+    /// where motion takes steps of large strain.
     static InPlaneIncrement<double>
-    increment(const Gradient5 &H)
+    increment(
+      const Gradient5        &H,
+      const StressIntegration integration = StressIntegration::start_of_step)
     {
       namespace G                 = GradientComponent;
       const double gradient[2][2] = {{H[G::xx], H[G::xy]},
                                      {H[G::yx], H[G::yy]}};
-      return {gradient, H[G::hoop]};
+      return {gradient, H[G::hoop], integration};
     }
 
     /**
@@ -96,10 +99,12 @@ namespace Sandglass
      * @param material  the law's part of it.
      */
     static Matrix5
-    tangent(const SymmetricComponents<4> &stress_before,
-            const SymmetricComponents<4> &stress,
-            const Gradient5              &H,
-            const MaterialTangent<4>     &material);
+    tangent(
+      const SymmetricComponents<4> &stress_before,
+      const SymmetricComponents<4> &stress,
+      const Gradient5              &H,
+      const MaterialTangent<4>     &material,
+      const StressIntegration integration = StressIntegration::start_of_step);
   };
 } // namespace Sandglass
 

@@ -36,7 +36,8 @@ namespace Sandglass
     std::vector<double> points;
 
     /// How many points a cell has, and how many dimensions: a dot, a line, a
-    /// triangle, a quadrilateral, a tetrahedron or a hexahedron.
+    /// triangle of three or six, a quadrilateral, a tetrahedron or a
+    /// hexahedron.
     unsigned int points_per_cell = 1;
     unsigned int cell_dimension  = 0;
 

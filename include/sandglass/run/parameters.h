@@ -3,8 +3,10 @@
 
 #include <sandglass/base/exceptions.h>
 #include <sandglass/element_test/element_test_parameters.h>
+#include <sandglass/flow/flow_parameters.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
+#include <sandglass/flow/updated_lagrangian/updated_lagrangian_parameters.h>
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/output/output_parameters.h>
 #include <sandglass/scene/scene_parameters.h>
@@ -15,13 +17,15 @@ namespace Sandglass
   /// All sections of the parameter file. Each declares itself when made.
   struct Parameters
   {
-    SceneParameters         scene;
-    MaterialParameters      material;
-    WallParameters          walls;
-    StaticStageParameters   static_stage;
-    ParticleStageParameters particle_stage;
-    ElementTestParameters   element_test;
-    OutputParameters        output;
+    SceneParameters             scene;
+    MaterialParameters          material;
+    WallParameters              walls;
+    StaticStageParameters       static_stage;
+    FlowParameters              flow;
+    ParticleStageParameters     particle_stage;
+    UpdatedLagrangianParameters updated_lagrangian;
+    ElementTestParameters       element_test;
+    OutputParameters            output;
 
     /// Checks between parameters; throws InputError.
     void

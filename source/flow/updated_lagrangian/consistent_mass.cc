@@ -45,6 +45,32 @@ namespace Sandglass
 
 
   template <int dim>
+  ConsistentMass<dim>::ConsistentMass(const ElementGrid<dim>    &grid,
+                                      const std::vector<double> &point_masses)
+    : grid(grid)
+    , n_nodes(grid.finite_element.n_dofs_per_cell() / dim)
+    , masses(grid.local_cells.size() * n_nodes * n_nodes, 0.)
+  {
+    const Quadrature<dim> &quadrature = grid.mass_quadrature;
+    const auto            &element    = grid.finite_element.base_element(0);
+    AssertDimension(point_masses.size(),
+                    grid.local_cells.size() * quadrature.size());
+    const bool is_spread = quadrature.size() == 1;
+    auto       entry     = masses.begin();
+    for (unsigned int n = 0; n < grid.local_cells.size(); ++n)
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        for (unsigned int j = 0; j < n_nodes; ++j, ++entry)
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            *entry +=
+              point_masses[n * quadrature.size() + q] *
+              (is_spread ? (i == j ? 2. : 1.) / ((dim + 1.) * (dim + 2.)) :
+                           element.shape_value(i, quadrature.point(q)) *
+                             element.shape_value(j, quadrature.point(q)));
+  }
+
+
+
+  template <int dim>
   void
   ConsistentMass<dim>::add_forces(const Vector &acceleration,
                                   Vector       &forces) const

@@ -13,6 +13,9 @@ namespace Sandglass
     /// the reactions' signs say little.
     constexpr double residual_for_contact = 1e-6;
 
+    /// The same in motion, where nodes leave and touch walls all the time.
+    constexpr double moving_residual_for_contact = 1e-5;
+
     /// A step may raise the residual by this share. Separated material that
     /// falls doesn't change it until it meets something.
     constexpr double tolerated_rise = 1e-3;
@@ -102,8 +105,11 @@ namespace Sandglass
                                   Equilibrium<dim>            &equilibrium,
                                   NodeConstraints<dim>        &contact,
                                   const StaticStageParameters &parameters,
-                                  NewmarkInertia<dim>         *inertia)
-    : parameters(parameters)
+                                  NewmarkInertia<dim>         *inertia,
+                                  const double relative_residual)
+    : relative_residual(relative_residual > 0. ? relative_residual :
+                                                 parameters.relative_residual)
+    , keeps_factors(inertia == nullptr)
     , out_of_balance(grid, equilibrium, contact, inertia)
     , tangent(grid,
               grid.dof_handler.n_dofs() <= parameters.most_direct_unknowns ?
@@ -138,7 +144,7 @@ namespace Sandglass
     out_of_balance.assemble_tangent(elastic_share, tangent);
     return tangent_solver.solve(out_of_balance.residual(),
                                 linear_tolerance(residual_norm,
-                                                 parameters.relative_residual),
+                                                 relative_residual),
                                 step);
   }
 
@@ -196,6 +202,8 @@ namespace Sandglass
                            Vector             &increment)
   {
     out_of_balance.start_step(displacement_before, load_share);
+    if (!keeps_factors)
+      tangent_solver.forget();
     const unsigned int n_before = tangent_solver.n_iterations();
     Result             result   = iterate(limits, increment);
     result.n_linear_iterations  = tangent_solver.n_iterations() - n_before;
@@ -213,11 +221,12 @@ namespace Sandglass
     double       norm = out_of_balance.evaluate(increment);
     for (unsigned int i = 0;; ++i)
       {
-        if (norm < residual_for_contact)
+        if (norm < (keeps_factors ? residual_for_contact :
+                                    moving_residual_for_contact))
           {
             if (out_of_balance.update_contact() > 0)
               norm = out_of_balance.evaluate(increment);
-            else if (norm < parameters.relative_residual)
+            else if (norm < relative_residual)
               return {true, i, 0, norm};
           }
 

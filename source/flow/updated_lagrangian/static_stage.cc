@@ -67,12 +67,13 @@ namespace Sandglass
                                 const MaterialParameters &material_parameters,
                                 const WallParameters     &wall_parameters,
                                 const StaticStageParameters &parameters,
-                                ConditionalOStream          &log)
+                                ConditionalOStream          &log,
+                                const unsigned int           element_order)
     : scene(scene)
     , material(material_parameters)
     , parameters(parameters)
     , log(log)
-    , filled_grid(scene)
+    , filled_grid(scene, element_order)
     , equilibrium(make_equilibrium(filled_grid,
                                    scene.formulation,
                                    material_parameters,
@@ -214,10 +215,13 @@ namespace Sandglass
   StaticStage<dim>::make_state() const
   {
     StaticState<dim> state;
+    state.element_order = filled_grid.finite_element.degree;
     state.cells.resize(scene.triangulation.n_active_cells());
     state.wall_forces = contact.wall_forces();
     state.effort      = effort;
 
+    std::vector<types::global_dof_index> dofs(
+      filled_grid.finite_element.n_dofs_per_cell());
     auto scene_cell = scene.triangulation.begin_active();
     for (const auto &cell : filled_grid.dof_handler.active_cell_iterators())
       {
@@ -236,6 +240,15 @@ namespace Sandglass
           for (unsigned int d = 0; d < dim; ++d)
             result.displacement[v][d] =
               displacement[cell->vertex_dof_index(match[v], d)];
+        if (state.element_order == 2)
+          {
+            // Triangles have the same orientation in all triangulations.
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = cell->n_vertices(); i < dofs.size() / dim;
+                 ++i)
+              for (unsigned int d = 0; d < dim; ++d)
+                result.displacement[i][d] = displacement[dofs[dim * i + d]];
+          }
         // a quadrilateral's quadrature point q lies next to its vertex q
         for (unsigned int q = 0; q < filled_grid.quadrature.size(); ++q)
           {

@@ -9,6 +9,7 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <set>
@@ -161,14 +162,33 @@ namespace Sandglass
   StaticStage<dim>::wall_records() const
   {
     WallRecords result;
-    result.time = 1.;
+    result.time             = 1.;
+    const bool is_quadratic = filled_grid.finite_element.degree == 2;
     for (const WallForce<dim> &force : contact.wall_forces())
-      result.records.push_back({force.wall,
+      {
+        const WallRecord record{force.wall,
                                 force.vertex,
                                 in_space(scene.mesh.vertices[force.vertex]),
                                 in_space(force.normal),
                                 force.area,
-                                in_space(result.time * force.force)});
+                                in_space(result.time * force.force)};
+        const auto       known =
+          !is_quadratic ? result.records.end() :
+                                std::find_if(result.records.begin(),
+                                       result.records.end(),
+                                       [&record](const WallRecord &other) {
+                                         return other.wall == record.wall &&
+                                                other.vertex == record.vertex &&
+                                                other.normal == record.normal;
+                                       });
+        if (known == result.records.end())
+          result.records.push_back(record);
+        else
+          {
+            known->area += record.area;
+            known->impulse += record.impulse;
+          }
+      }
     return result;
   }
 

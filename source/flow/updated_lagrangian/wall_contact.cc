@@ -260,17 +260,21 @@ namespace Sandglass
     for (const Node &node : nodes)
       for (unsigned int s = 0; s < node.supports.size(); ++s)
         {
-          const Support<dim> &support = node.supports[s];
-          const State        &state   = node.states[s];
+          const Support<dim> &support   = node.supports[s];
+          const State        &state     = node.states[s];
+          const bool          is_vertex = node.vertices[0] == node.vertices[1];
+          const double        part      = is_vertex ? 1. : 0.5;
           for (const WallShare &share : support.walls)
-            if (node.is_owned)
-              forces.push_back(
-                {share.wall,
-                 node.vertex,
-                 support.normal,
-                 share.area,
-                 -share.of_normal_force * state.normal_force * support.normal +
-                   share.of_friction * state.tangential_force});
+            for (unsigned int v = 0; v < (is_vertex ? 1 : 2); ++v)
+              if (node.is_owned)
+                forces.push_back(
+                  {share.wall,
+                   node.vertices[v],
+                   support.normal,
+                   part * share.area,
+                   part * (-share.of_normal_force * state.normal_force *
+                             support.normal +
+                           share.of_friction * state.tangential_force)});
         }
     return forces;
   }

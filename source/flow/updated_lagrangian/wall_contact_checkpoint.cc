@@ -43,7 +43,7 @@ namespace Sandglass
     for (const Node &node : nodes)
       if (node.is_owned)
         {
-          SavedNode<dim> saved{node.vertex, {}, {}, {}};
+          SavedNode<dim> saved{node.vertices[0], {}, {}, {}};
           for (unsigned int s = 0; s < dim; ++s)
             {
               saved.is_active[s]         = node.states[s].was_active;
@@ -68,7 +68,7 @@ namespace Sandglass
       saved_at[saved.vertex] = &saved;
     for (Node &node : nodes)
       {
-        const SavedNode<dim> &saved = *saved_at.at(node.vertex);
+        const SavedNode<dim> &saved = *saved_at.at(node.vertices[0]);
         for (unsigned int s = 0; s < dim; ++s)
           {
             State &state            = node.states[s];

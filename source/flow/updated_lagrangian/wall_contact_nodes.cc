@@ -26,6 +26,22 @@ namespace Sandglass
             support.normal[1] = up;
           }
     }
+
+    /// Of the nodes in the middle of edges at the boundary, the edges' ends.
+    template <int dim>
+    std::map<types::global_dof_index, std::array<unsigned int, 2>>
+    find_ends_of_edges(const DoFHandler<dim> &node_handler)
+    {
+      std::map<types::global_dof_index, std::array<unsigned int, 2>> ends;
+      if (node_handler.get_fe().degree == 2)
+        for (const auto &cell : node_handler.active_cell_iterators())
+          if (!cell->is_artificial())
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary())
+                ends[face->dof_index(0)] = {
+                  {face->vertex_index(0), face->vertex_index(1)}};
+      return ends;
+    }
   } // namespace
 
 
@@ -61,15 +77,19 @@ namespace Sandglass
                                   const WallParameters  &parameters)
   {
     std::map<types::global_dof_index, unsigned int> index_of;
+    const auto ends_of_edge = find_ends_of_edges(grid.node_handler);
     for (BoundaryNode<dim> &found : find_boundary_nodes(
            grid.node_handler, scene.formulation, scene.walls, parameters))
       {
         align_with_axis<dim>(found.supports);
         index_of[found.dof] = nodes.size();
-        Node node;
-        node.vertex   = found.vertex == numbers::invalid_unsigned_int ?
-                          found.vertex :
-                          grid.scene_vertices[found.vertex];
+        Node       node;
+        const auto ends =
+          found.vertex == numbers::invalid_unsigned_int ?
+            ends_of_edge.at(found.dof) :
+            std::array<unsigned int, 2>{{found.vertex, found.vertex}};
+        for (unsigned int v = 0; v < 2; ++v)
+          node.vertices[v] = grid.scene_vertices[ends[v]];
         node.supports = found.supports;
         for (unsigned int s = 0; s < found.supports.size(); ++s)
           node.states[s].is_bilateral =

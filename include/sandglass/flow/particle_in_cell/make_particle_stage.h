@@ -1,7 +1,13 @@
 #ifndef sandglass_flow_particle_in_cell_make_particle_stage_h
 #define sandglass_flow_particle_in_cell_make_particle_stage_h
 
-#include <sandglass/flow/make_flow.h>
+#include <sandglass/flow/dynamic_flow.h>
+#include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
+#include <sandglass/material/material_parameters.h>
+#include <sandglass/scene/scene.h>
+#include <sandglass/walls/wall_parameters.h>
+
+#include <memory>
 
 namespace Sandglass
 {

@@ -33,6 +33,12 @@ namespace Sandglass
                    const Formulation       formulation,
                    const Density          &density);
 
+    /// @param point_masses  of the grid's mass quadrature points, cell by cell
+    ///                      of ElementGrid::local_cells, in kg. They stand for
+    ///                      material on a curved or denser grid, too.
+    ConsistentMass(const ElementGrid<dim>    &grid,
+                   const std::vector<double> &point_masses);
+
     /// Add M a to nodal forces, in N.
     /// @param acceleration  a, in m/s^2, with ghost entries.
     /// @param forces        their owned entries are changed.

@@ -42,6 +42,24 @@ namespace Sandglass
       return nodal_weight;
     }
 
+    /// Other nodal forces of the whole weight than those of even density, in N
+    /// with ghost entries.
+    void
+    set_weight(const Vector &weight)
+    {
+      nodal_weight = weight;
+    }
+
+    /// Say that steps are those of motion, in which strain is large: strain and
+    /// rotation are taken in the middle of the step, and material that is
+    /// looser than it can be without stress bears none until it is compacted
+    /// again, as in the particle stage.
+    void
+    set_large_steps()
+    {
+      has_large_steps = true;
+    }
+
     /// Time in s that steps take from here on, of which laws may want to know;
     /// 0 for load steps, which are infinitely slow.
     void
@@ -90,6 +108,16 @@ namespace Sandglass
     virtual PointState
     point_state(const unsigned int index) const = 0;
 
+    /// Give a quadrature point a state from which the next step starts.
+    virtual void
+    set_point_state(const unsigned int index, const PointState &state) = 0;
+
+    /// Displace the reference configuration itself, as edges are curved: that
+    /// strains nothing.
+    /// @param displacement  with ghost entries.
+    virtual void
+    move_reference(const Vector &displacement) = 0;
+
     /// Smallest ratio, over all ranks' quadrature points, of the volume at the
     /// last evaluate_forces() to that at the start of the step; not above 1.
     /// Collective.
@@ -130,7 +158,8 @@ namespace Sandglass
     {}
 
     Vector nodal_weight;
-    double time_step = 0.;
+    double time_step       = 0.;
+    bool   has_large_steps = false;
   };
 
 

@@ -7,6 +7,8 @@
 
 #include <boost/serialization/array_wrapper.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <type_traits>
 
 namespace Sandglass
@@ -95,6 +97,22 @@ namespace Sandglass
     }
 
     void
+    set_point_state(const unsigned int index, const PointState &state) override
+    {
+      MaterialPoint &point = points[index];
+      point                = MaterialPoint();
+      point.stress_before = point.stress = state.stress;
+      point.volume_ratio_before = point.volume_ratio = state.volume_ratio;
+      std::copy_n(state.law_state.begin(),
+                  point.law_state.size(),
+                  point.law_state.begin());
+      point.law_state_before = point.law_state;
+    }
+
+    void
+    move_reference(const Vector &displacement) override;
+
+    void
     save(boost::archive::binary_oarchive &archive) const override;
 
     void
@@ -167,6 +185,39 @@ namespace Sandglass
     update_stress(const Eigen::Matrix<double, n_dofs, 1> &increment,
                   const unsigned int                      index);
 
+    /// Strain and rotation of a point's gradient, as the law is to see them.
+    auto
+    increment_of(const MaterialPoint &point) const
+    {
+      return Kinematics::Response::increment(point.gradient, integration());
+    }
+
+    StressIntegration
+    integration() const
+    {
+      return this->has_large_steps ? StressIntegration::middle_of_step :
+                                     StressIntegration::start_of_step;
+    }
+
+    /// Above this ratio of volumes a point bears no stress.
+    double
+    largest_stressed_volume_ratio() const
+    {
+      return this->has_large_steps && Law::pressure_follows_density ?
+               1. / law.loosest_density_share() :
+               std::numeric_limits<double>::infinity();
+    }
+
+    /**
+     * Where material was separated at the step's start, take away the strain
+     * that only brings its grains together; what is left starts from no stress.
+     *
+     * @return whether they come together at all.
+     */
+    template <typename Increment>
+    bool
+    close_gap(const MaterialPoint &point, Increment &step) const;
+
     /// @tparam n_dofs  per cell; known to the compiler, it saves a fifth of the
     ///                 time.
     template <int n_dofs>
@@ -177,11 +228,28 @@ namespace Sandglass
     MaterialTangent<Kinematics::n_components>
     tangent_of_law(const MaterialPoint &point, const double elastic_share) const
     {
-      const auto step = Kinematics::Response::increment(point.gradient);
+      auto step = increment_of(point);
+      if (point.volume_ratio_before > largest_stressed_volume_ratio() &&
+          !close_gap(point, step))
+        return separated_tangent(elastic_share);
       return law.tangent(rotate(point.stress_before, step.rotation),
                          point.law_state_before,
                          step,
                          elastic_share);
+    }
+
+    /// Of material that bears no stress: what Newton's method mixes in.
+    MaterialTangent<Kinematics::n_components>
+    separated_tangent(const double elastic_share) const
+    {
+      using Matrix = ComponentMatrix<Kinematics::n_components>;
+      if constexpr (Law::has_constant_stiffness)
+        return {elastic_share * Matrix::Identity(),
+                elastic_share *
+                  law.stiffness_bound()
+                    .template stiffness<Kinematics::n_components>()};
+      else
+        return {Matrix::Zero(), Matrix::Zero()};
     }
 
     template <int n_dofs>

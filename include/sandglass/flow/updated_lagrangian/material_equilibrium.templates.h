@@ -6,6 +6,7 @@
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Sandglass
 {
@@ -53,6 +54,49 @@ namespace Sandglass
 
 
   template <typename Kinematics, typename Law>
+  void
+  MaterialEquilibrium<Kinematics, Law>::move_reference(
+    const Vector &displacement)
+  {
+    with_n_dofs([&](const auto n) {
+      constexpr int n_dofs = decltype(n)::value;
+      for (const auto &local_cell : grid.local_cells)
+        {
+          Eigen::Matrix<double, n_dofs, 1> u;
+          for (int i = 0; i < n_dofs; ++i)
+            u[i] = displacement.local_element(local_cell.dofs[i]);
+          for (unsigned int q = 0; q < grid.quadrature.size(); ++q)
+            {
+              const unsigned int index = grid.point_index(*local_cell.cell, q);
+              const Gradient     H =
+                gradient_operators[index].template gradient<n_dofs>(u);
+              volumes[index] *= Kinematics::Response::volume_ratio(H);
+              gradient_operators[index].move_reference(H);
+            }
+        }
+    });
+  }
+
+
+
+  template <typename Kinematics, typename Law>
+  template <typename Increment>
+  bool
+  MaterialEquilibrium<Kinematics, Law>::close_gap(const MaterialPoint &point,
+                                                  Increment &step) const
+  {
+    const double closing =
+      std::log(largest_stressed_volume_ratio() / point.volume_ratio_before);
+    const double change = std::log(step.jacobian);
+    if (change >= closing)
+      return false;
+    step.add_volume_change(change - closing - step.volume_change());
+    return true;
+  }
+
+
+
+  template <typename Kinematics, typename Law>
   template <int n_dofs>
   void
   MaterialEquilibrium<Kinematics, Law>::update_stress(
@@ -62,14 +106,23 @@ namespace Sandglass
     MaterialPoint &point = points[index];
     point.gradient =
       gradient_operators[index].template gradient<n_dofs>(increment);
-    const auto step           = Kinematics::Response::increment(point.gradient);
-    point.stress              = rotate(point.stress_before, step.rotation);
-    point.law_state           = point.law_state_before;
+    point.volume_ratio = point.volume_ratio_before *
+                         Kinematics::Response::volume_ratio(point.gradient);
+    auto step       = increment_of(point);
+    point.stress    = rotate(point.stress_before, step.rotation);
+    point.law_state = point.law_state_before;
+    if (point.volume_ratio_before > largest_stressed_volume_ratio())
+      {
+        point.stress.setZero();
+        if (!close_gap(point, step))
+          {
+            point.dissipation = point.dissipation_before;
+            return;
+          }
+      }
     const double plastic_work = law.correct(point.stress,
                                             point.law_state,
                                             law.predict(step, this->time_step));
-    point.volume_ratio        = point.volume_ratio_before *
-                         Kinematics::Response::volume_ratio(point.gradient);
     point.dissipation =
       point.dissipation_before + plastic_work * point.volume_ratio;
   }
@@ -141,7 +194,8 @@ namespace Sandglass
            Kinematics::Response::tangent(point.stress_before,
                                          point.stress,
                                          point.gradient,
-                                         tangent_of_law(point, elastic_share)))
+                                         tangent_of_law(point, elastic_share),
+                                         integration()))
             .eval();
         result += gradient_operators[index].template stiffness<n_dofs>(tangent);
       }

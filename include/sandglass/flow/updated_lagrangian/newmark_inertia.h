@@ -35,6 +35,13 @@ namespace Sandglass
     void
     start_step(const double time_step);
 
+    /// Other parameters for the steps that start from here on.
+    void
+    set_parameters(const NewmarkParameters &parameters)
+    {
+      this->parameters = parameters;
+    }
+
     /// What the increment is if the acceleration doesn't change; with ghost
     /// entries.
     Vector
@@ -71,10 +78,10 @@ namespace Sandglass
     void
     set_acceleration_at_end(const Vector &increment);
 
-    const NewmarkParameters parameters;
-    double                  time_step              = 0.;
-    double                  stopping_force_of_step = 0.;
-    Vector                  acceleration_at_end;
+    NewmarkParameters parameters;
+    double            time_step              = 0.;
+    double            stopping_force_of_step = 0.;
+    Vector            acceleration_at_end;
   };
 } // namespace Sandglass
 

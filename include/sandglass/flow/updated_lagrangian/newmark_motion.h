@@ -5,6 +5,7 @@
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
 
 #include <functional>
+#include <limits>
 
 namespace Sandglass
 {
@@ -27,6 +28,8 @@ namespace Sandglass
     {
       double            time_step = 0.01; ///< the longest, in s
       NewmarkParameters newmark;
+      /// By which a node may be displaced along an axis in one step, in m.
+      double longest_way = std::numeric_limits<double>::infinity();
     };
 
     /// Share of the weight that acts at a time in s.
@@ -40,13 +43,15 @@ namespace Sandglass
      * @param constraints  plain NodeConstraints for a free body.
      * @param solver_parameters  the residual at which Newton's method stops,
      *                     and up to how many unknowns it solves directly.
+     * @param relative_residual  instead of theirs, unless it is 0.
      */
     NewmarkMotion(const ElementGrid<dim>      &grid,
                   Equilibrium<dim>            &equilibrium,
                   const ConsistentMass<dim>   &mass,
                   NodeConstraints<dim>        &constraints,
                   const Parameters            &parameters,
-                  const StaticStageParameters &solver_parameters);
+                  const StaticStageParameters &solver_parameters,
+                  const double                 relative_residual = 0.);
 
     /// The whole weight acts at all times, unless this says something else, as
     /// manufactured solutions do.
@@ -66,9 +71,54 @@ namespace Sandglass
     void
     start(const Vector &displacement, const Vector &velocity);
 
+    /**
+     * Go on from a motion that is known, without the search for an
+     * acceleration.
+     *
+     * @param time  in s.
+     * @param first_step  to be tried, in s.
+     */
+    void
+    go_on(const double  time,
+          const double  first_step,
+          const Vector &displacement,
+          const Vector &velocity,
+          const Vector &acceleration);
+
     /// One step. Collective. Throws RunError where the smallest one fails.
     void
     step();
+
+    /// One step of the length that step() would try first, but no longer than
+    /// this. Collective. Returns whether it has a solution; if not, the next
+    /// one to be tried is half as long.
+    bool
+    try_step(const double longest);
+
+    /// Let the next step damp what its length doesn't resolve: with delta = 1,
+    /// where forces have jumped and the acceleration at its start says little.
+    void
+    damp_next_step(const bool damps = true)
+    {
+      is_damped = damps;
+    }
+
+    bool
+    damps_next_step() const
+    {
+      return is_damped;
+    }
+
+    /// What step() tries first, in s.
+    double
+    next_time_step() const
+    {
+      return next_step;
+    }
+
+    /// Whether steps have become as short as they may.
+    bool
+    has_smallest_step() const;
 
     double
     time() const
@@ -138,6 +188,10 @@ namespace Sandglass
     void
     accept(const double time_step, const Vector &increment);
 
+    /// See NodeConstraints::correct_motion().
+    void
+    correct_motion();
+
     /// From the forces at the start.
     void
     find_acceleration();
@@ -149,10 +203,12 @@ namespace Sandglass
     NewtonSolver<dim>     newton;
     LoadHistory           load_share = [](const double) { return 1.; };
 
-    double now = 0., last_step = 0.;
-    double next_step; ///< to be tried next
-    Vector total_displacement;
-    Effort so_far;
+    double       now = 0., last_step = 0.;
+    double       next_step; ///< to be tried next
+    bool         is_damped       = false;
+    unsigned int last_iterations = 0; ///< of Newton's method
+    Vector       total_displacement;
+    Effort       so_far;
   };
 } // namespace Sandglass
 

@@ -37,11 +37,13 @@ namespace Sandglass
     using Vector = DisplacementVector;
 
     /// @param inertia  null at rest.
+    /// @param relative_residual  where it stops; 0: as the parameters say.
     NewtonSolver(const ElementGrid<dim>      &grid,
                  Equilibrium<dim>            &equilibrium,
                  NodeConstraints<dim>        &contact,
                  const StaticStageParameters &parameters,
-                 NewmarkInertia<dim>         *inertia = nullptr);
+                 NewmarkInertia<dim>         *inertia           = nullptr,
+                 const double                 relative_residual = 0.);
 
     using Result = NewtonResult;
 
@@ -94,8 +96,11 @@ namespace Sandglass
     void
     move(const Vector &increment, const double factor, Vector &result) const;
 
-    const StaticStageParameters &parameters;
-    OutOfBalance<dim>            out_of_balance;
+    const double relative_residual;
+    /// Whether factors may be those of the last step: a motion that goes on
+    /// from a checkpoint has none.
+    const bool        keeps_factors;
+    OutOfBalance<dim> out_of_balance;
 
     TangentMatrix<dim> tangent;
     TangentSolver<dim> tangent_solver;

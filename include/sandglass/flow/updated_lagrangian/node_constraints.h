@@ -84,6 +84,17 @@ namespace Sandglass
     restore()
     {}
 
+    /**
+     * Take from nodes the motion that their constraints don't leave them, at
+     * the end of a step. Newmark's method with delta = 1/2 would turn a node's
+     * velocity round in each step in which a wall holds it.
+     *
+     * @param velocity,acceleration  owned entries, without ghosts.
+     */
+    virtual void
+    correct_motion(Vector & /*velocity*/, Vector & /*acceleration*/) const
+    {}
+
     /// Turn the rows of a cell's derivative of G into those of its nodes'
     /// equations.
     template <typename Matrix>

@@ -43,11 +43,14 @@ namespace Sandglass
   class StaticStage : public Flow
   {
   public:
+    /// @param element_order  see ElementGrid; views and checkpoints are for
+    /// linear elements, but for the walls' records, which are for both.
     StaticStage(const Scene<dim>            &scene,
                 const MaterialParameters    &material_parameters,
                 const WallParameters        &wall_parameters,
                 const StaticStageParameters &parameters,
-                ConditionalOStream          &log);
+                ConditionalOStream          &log,
+                const unsigned int           element_order = 1);
 
     /**
      * All load steps from here on. Logs the number of unknowns, and one line

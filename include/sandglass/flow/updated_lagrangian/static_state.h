@@ -33,18 +33,25 @@ namespace Sandglass
     /// Of a cube; a simplex uses fewer.
     static constexpr unsigned int n_vertices = 1u << dim;
 
+    /// Of a quadratic triangle; other cells use fewer.
+    static constexpr unsigned int most_nodes = 6;
+
     struct CellState
     {
-      /// At the cell's nodes, in deal.II's vertex order, in m.
-      std::array<dealii::Tensor<1, dim>, n_vertices> displacement;
+      /// At the cell's nodes, in deal.II's order, in m.
+      std::array<dealii::Tensor<1, dim>, most_nodes> displacement;
       /// At the cell's quadrature points (one per triangle, four per
-      /// quadrilateral in deal.II's order), in Pa.
+      /// quadrilateral in deal.II's order, three per quadratic triangle), in
+      /// Pa.
       std::array<SymmetricComponents<2 * dim>, n_vertices> stress;
       /// Current over initial volume, at the same points.
       std::array<double, n_vertices> volume_ratio;
       /// The law's state variables, likewise.
       std::array<std::vector<double>, n_vertices> law_state;
     };
+
+    /// Of the elements.
+    unsigned int element_order = 1;
 
     std::vector<CellState> cells;
 

@@ -34,6 +34,13 @@ namespace Sandglass
     bool
     solve(const Vector &right_side, const double tolerance, Vector &solution);
 
+    /// Let the next solution start with a fresh preconditioner.
+    void
+    forget()
+    {
+      is_updated = false;
+    }
+
     /// Number of iterations since the beginning.
     unsigned int
     n_iterations() const

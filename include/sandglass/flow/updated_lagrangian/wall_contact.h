@@ -103,8 +103,8 @@ namespace Sandglass
     void
     set_active_supports(const std::vector<SupportSet> &active);
 
-    /// Wall forces on the owned nodes. A node on the edge of a quadratic
-    /// element has an invalid vertex.
+    /// Wall forces on the owned nodes. Each end of an edge of quadratic
+    /// elements has half of what its middle has.
     std::vector<WallForce<dim>>
     wall_forces() const;
 
@@ -136,8 +136,8 @@ namespace Sandglass
 
     struct Node
     {
-      /// Of the scene's mesh; invalid on an edge.
-      unsigned int                             vertex;
+      /// Of the scene's mesh; those of the ends on an edge, else one twice.
+      std::array<unsigned int, 2>              vertices;
       std::array<types::global_dof_index, dim> dofs;
       bool                                     is_owned = false;
       Tensor<1, dim>                           weight; ///< in N

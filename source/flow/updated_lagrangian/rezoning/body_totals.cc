@@ -48,7 +48,7 @@ namespace Sandglass
               const Quadrature<2>       &quadrature,
               const Depth               &depth,
               const std::vector<double> &density,
-              const Field               &velocity)
+              const MeshField           &velocity)
   {
     AssertDimension(velocity.n_components, 2);
     AssertDimension(velocity.values.size(), 2 * mesh.nodes.size());
@@ -99,7 +99,7 @@ namespace Sandglass
                    const std::vector<BodyTotals> &wanted,
                    const std::vector<BodyTotals> &actual,
                    const std::array<bool, 2>     &is_restored,
-                   Field                         &velocity)
+                   MeshField                     &velocity)
   {
     const auto bodies = bodies_of_nodes(mesh);
     for (unsigned int node = 0; node < bodies.size(); ++node)

@@ -111,13 +111,19 @@ namespace Sandglass
           const std::vector<double> &masses,
           const double               level,
           const SizeField           &size,
-          const double               smallest_share)
+          const double               smallest_share,
+          const std::vector<bool>   &is_spoilt)
   {
     AssertDimension(masses.size(), mesh.cells.size());
     CutOff                    result;
     std::vector<unsigned int> above;
     for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
-      if (is_below(mesh, cell, level))
+      if (!is_spoilt.empty() && is_spoilt[cell])
+        {
+          result.mass_spoilt += masses[cell];
+          ++result.n_cells_spoilt;
+        }
+      else if (is_below(mesh, cell, level))
         {
           result.mass_below += masses[cell];
           ++result.n_cells_below;

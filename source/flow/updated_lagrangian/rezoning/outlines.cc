@@ -106,6 +106,15 @@ namespace Sandglass
     void
     mark_corners(BoundaryLoop &loop, const CornerRule &rule)
     {
+      if (rule.change)
+        rule.change(loop);
+      for (BoundaryPiece &piece : loop)
+        piece.starts_at_corner = false;
+      for (const Point<2> &point : rule.fixed_points)
+        keep_point(loop, point, rule.tolerance);
+      if (rule.mark_of)
+        for (BoundaryPiece &piece : loop)
+          piece.mark = rule.mark_of(piece);
       for (unsigned int i = 0; i < loop.size(); ++i)
         {
           const BoundaryPiece &before =
@@ -114,11 +123,10 @@ namespace Sandglass
           const Tensor<1, 2> leaving  = derivative_on_curve(loop[i].curve, 0.);
           const double       turn =
             std::abs(std::atan2(cross(arriving, leaving), arriving * leaving));
-          loop[i].starts_at_corner =
-            turn > rule.largest_turn || before.mark != loop[i].mark;
+          loop[i].starts_at_corner = loop[i].starts_at_corner ||
+                                     turn > rule.largest_turn ||
+                                     before.mark != loop[i].mark;
         }
-      for (const Point<2> &point : rule.fixed_points)
-        keep_point(loop, point, rule.tolerance);
     }
 
 

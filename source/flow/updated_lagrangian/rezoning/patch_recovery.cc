@@ -39,7 +39,7 @@ namespace Sandglass
 
   PatchRecovery::PatchRecovery(const TriangleMesh  &mesh,
                                const Quadrature<2> &quadrature,
-                               const Field         &field,
+                               const MeshField     &field,
                                const double         margin)
     : mesh(mesh)
     , field(field)
@@ -137,7 +137,7 @@ namespace Sandglass
   void
   PatchRecovery::find_bounds()
   {
-    lower = upper = Field::zero(field.n_components, mesh.cells.size());
+    lower = upper = MeshField::zero(field.n_components, mesh.cells.size());
     for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
       for (unsigned int c = 0; c < field.n_components; ++c)
         {

@@ -51,7 +51,7 @@ namespace Sandglass
                        const Admissible            &is_admissible)
   {
     TransferredPoints result;
-    result.field = Field::zero(n_components, locations.size());
+    result.field = MeshField::zero(n_components, locations.size());
     for (std::size_t i = 0; i < locations.size(); ++i)
       {
         double *values     = result.field.at(i);

@@ -41,7 +41,8 @@ namespace Sandglass
     {
       const auto locations =
         locate_points(locator, result.state.mesh, options.quadrature);
-      const auto map = [&](const Field &field, const Admissible &admissible) {
+      const auto map = [&](const MeshField  &field,
+                           const Admissible &admissible) {
         if (field.n_components == 0)
           return field;
         const PatchRecovery recovery(old.mesh,

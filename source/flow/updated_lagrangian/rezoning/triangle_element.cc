@@ -93,7 +93,7 @@ namespace Sandglass
 
   void
   evaluate_in_cell(const TriangleMesh &mesh,
-                   const Field        &field,
+                   const MeshField    &field,
                    const unsigned int  cell,
                    const Point<2>     &reference_point,
                    double             *values)

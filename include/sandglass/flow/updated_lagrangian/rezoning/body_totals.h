@@ -48,7 +48,7 @@ namespace Sandglass
               const Quadrature<2>       &quadrature,
               const Depth               &depth,
               const std::vector<double> &density,
-              const Field               &velocity);
+              const MeshField           &velocity);
 
   /**
    * Scale each body's density so that it has its mass again.
@@ -73,7 +73,7 @@ namespace Sandglass
                    const std::vector<BodyTotals> &wanted,
                    const std::vector<BodyTotals> &actual,
                    const std::array<bool, 2>     &is_restored,
-                   Field                         &velocity);
+                   MeshField                     &velocity);
 } // namespace Sandglass
 
 #endif

@@ -8,13 +8,13 @@ namespace Sandglass
 {
   /// Values at nodes, or at quadrature points, cell by cell: the components of
   /// the first, then those of the next.
-  struct Field
+  struct MeshField
   {
     unsigned int        n_components = 0;
     std::vector<double> values       = {};
 
     /// Zero at so many nodes or points.
-    static Field
+    static MeshField
     zero(const unsigned int n_components, const std::size_t n)
     {
       return {n_components, std::vector<double>(n_components * n, 0.)};
@@ -34,11 +34,11 @@ namespace Sandglass
 
     /// The values at blocks of nodes or points that lie one after the other:
     /// those of a cell are a block of as many as it has quadrature points.
-    Field
+    MeshField
     at_blocks(const std::vector<unsigned int> &blocks,
               const unsigned int               block_size = 1) const
     {
-      Field        result = zero(n_components, blocks.size() * block_size);
+      MeshField    result = zero(n_components, blocks.size() * block_size);
       const size_t n      = n_components * block_size;
       for (std::size_t i = 0; i < blocks.size(); ++i)
         std::copy_n(values.begin() + n * blocks[i],

@@ -20,9 +20,9 @@ namespace Sandglass
    * Where the old cells' edges are straight, polynomials of the element's order
    * are kept to rounding, and linear ones everywhere.
    */
-  Field
+  MeshField
   transfer_nodal_field(const TriangleMesh          &old_mesh,
-                       const Field                 &field,
+                       const MeshField             &field,
                        const std::vector<Location> &locations);
 } // namespace Sandglass
 

@@ -4,6 +4,7 @@
 #include <sandglass/flow/updated_lagrangian/rezoning/boundary_piece.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/triangle_mesh.h>
 
+#include <functional>
 #include <vector>
 
 namespace Sandglass
@@ -19,6 +20,11 @@ namespace Sandglass
     /// How far in m the boundary may pass from such a point and still be held
     /// to run through it.
     double tolerance = 1e-9;
+    /// The mark of a piece once it has been divided at fixed points, as edges
+    /// that reach beyond a wall's end are; empty: that of the edge.
+    std::function<unsigned int(const BoundaryPiece &)> mark_of = {};
+    /// What else is to be changed in a loop before all this; empty: nothing.
+    std::function<void(BoundaryLoop &)> change = {};
   };
 
   /// What bounds one body.

@@ -45,7 +45,7 @@ namespace Sandglass
      */
     PatchRecovery(const TriangleMesh  &mesh,
                   const Quadrature<2> &quadrature,
-                  const Field         &field,
+                  const MeshField     &field,
                   const double         margin);
 
     /// All components at a location. Returns whether one had to be limited.
@@ -79,14 +79,14 @@ namespace Sandglass
     find_bounds();
 
     const TriangleMesh &mesh;
-    const Field         field;
+    const MeshField     field;
     const unsigned int  n_points; ///< of a cell
     const double        margin;
 
     std::vector<Patch> patches;
     /// Of each cell's corners.
     std::vector<std::array<unsigned int, 3>> patch_at;
-    Field                                    lower, upper; ///< of each cell
+    MeshField                                lower, upper; ///< of each cell
   };
 } // namespace Sandglass
 

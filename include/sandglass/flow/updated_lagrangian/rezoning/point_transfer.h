@@ -26,7 +26,7 @@ namespace Sandglass
   /// A field at new quadrature points.
   struct TransferredPoints
   {
-    Field        field;
+    MeshField    field;
     unsigned int n_limited = 0; ///< points whose values had to be limited
   };
 

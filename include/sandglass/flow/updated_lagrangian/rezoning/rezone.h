@@ -19,13 +19,13 @@ namespace Sandglass
   {
     TriangleMesh mesh;
     /// Of the nodes, two components, in m/s.
-    Field velocity;
+    MeshField velocity;
     /// What else there is at nodes: acceleration, displacement.
-    Field nodal_fields;
+    MeshField nodal_fields;
     /// At quadrature points, in kg/m^3.
     std::vector<double> density;
     /// What else there is at quadrature points: stress, the law's state.
-    Field point_fields;
+    MeshField point_fields;
   };
 
   /// How to mesh anew, and what to keep.

@@ -38,7 +38,7 @@ namespace Sandglass
   /// All components of a nodal field at a cell's reference point.
   void
   evaluate_in_cell(const TriangleMesh &mesh,
-                   const Field        &field,
+                   const MeshField    &field,
                    const unsigned int  cell,
                    const Point<2>     &reference_point,
                    double             *values);
