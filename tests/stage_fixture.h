@@ -101,6 +101,13 @@ struct StageFixture
   Sandglass::WallParameters          walls;
   Sandglass::ParticleStageParameters parameters;
 
+  // Of the choice of a flow; the particle stage needs none of them.
+  Sandglass::FlowParameters              flow_parameters;
+  Sandglass::UpdatedLagrangianParameters updated_lagrangian;
+  Sandglass::StaticStageParameters       static_stage;
+  std::ostringstream                     log_text;
+  dealii::ConditionalOStream             no_log{log_text, false};
+
   Sandglass::Formulation formulation = Sandglass::Formulation::plane_strain;
   unsigned int           particles_per_cell = 4;
   dealii::Tensor<1, 2>   gravity{{0., -9.81}};
@@ -115,11 +122,22 @@ struct StageFixture
     parameters.check();
     scene = std::make_unique<Sandglass::Scene<2>>(
       mesh, walls, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
-    stage.reset(&dynamic_cast<Stage &>(
-      *Sandglass::make_flow<2>(*scene, material, walls, parameters).release()));
+    stage.reset(&dynamic_cast<Stage &>(*make_flow(*scene).release()));
     last_records = stage->view().wall_records();
     dissipation_watcher.watch(*stage);
     return *stage;
+  }
+
+  /// The particle stage of a scene, with what the fixture has.
+  std::unique_ptr<Sandglass::DynamicFlow<2>>
+  make_flow(const Sandglass::Scene<2> &of_scene)
+  {
+    return Sandglass::make_flow<2>(
+      of_scene,
+      material,
+      walls,
+      {flow_parameters, parameters, updated_lagrangian, static_stage},
+      no_log);
   }
 
   Sandglass::Elasticity

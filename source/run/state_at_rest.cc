@@ -69,17 +69,17 @@ namespace Sandglass
                    << " steps, largest speed then " << settling.largest_speed
                    << " m/s" << std::endl;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /// For a flow that each rank computes alone: each finds all of the state at
     /// rest, by the flow's own elements.
     template <int dim>
     AtRest
-    find_on_each_rank(const Parameters &parameters, Part<dim> &part, Log &log)
+    find_on_each_rank(const Parameters            &parameters,
+                      Part<dim>                   &part,
+                      Log                         &log,
+                      const std::function<void()> &after_load_step)
     {
       const Scene<dim> scene(part.scene.mesh,
                              parameters.walls,
@@ -95,7 +95,7 @@ namespace Sandglass
         log.stream(),
         parameters.updated_lagrangian.element_order);
       const StaticState<dim> state =
-        settle(static_stage, scene, parameters.material, log);
+        settle(static_stage, scene, parameters, log, after_load_step);
       carry_to_particles(state, scene, *part.flow, true);
 
       AtRest     result{static_stage.view().wall_records(), state.effort};
@@ -123,7 +123,7 @@ namespace Sandglass
       return {};
     TimerOutput::Scope static_scope(timings, Timing::static_stage);
     if (parameters.flow.method == FlowParameters::Method::updated_lagrangian)
-      return find_on_each_rank(parameters, part, log);
+      return find_on_each_rank(parameters, part, log, after_load_step);
     StaticStage<dim>       static_stage(part.scene,
                                   parameters.material,
                                   parameters.walls,

@@ -203,7 +203,7 @@ namespace Sandglass
     double
     largest_stressed_volume_ratio() const
     {
-      return this->has_large_steps && Law::pressure_follows_density ?
+      return this->has_large_steps && !Law::knows_density ?
                1. / law.loosest_density_share() :
                std::numeric_limits<double>::infinity();
     }
