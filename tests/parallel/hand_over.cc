@@ -62,7 +62,7 @@ namespace
                                                    MPI_COMM_WORLD,
                                                    partitioner,
                                                    cell_weights);
-      auto next_flow = make_flow(*next_scene);
+      auto next_flow  = make_flow(*next_scene);
       hand_over(*stage, *next_flow, MPI_COMM_WORLD);
       steps_before += stage->view().totals().particle_steps;
       stage.reset(dynamic_cast<Stage *>(next_flow.release()));
