@@ -10,9 +10,8 @@
 
 #include "../element_choice.h"
 #include "../field_errors.h"
+#include "../irregular_square.h"
 #include "../manufactured_settlement.h"
-#include "../random_engine.h"
-#include "../rectangle_mesh.h"
 
 using namespace Sandglass;
 
@@ -33,7 +32,7 @@ namespace
   public:
     SettlementRun(const ElementChoice &element, const unsigned int n_cells)
       : exact{Kinematics::formulation}
-      , scene(mesh(element.cell_type, n_cells),
+      , scene(irregular_square(element.cell_type, n_cells),
               walls,
               Kinematics::formulation,
               4,
@@ -84,25 +83,6 @@ namespace
     }
 
   private:
-    /// Regular meshes are kinder to stresses than those in use: each inner
-    /// vertex is moved by up to a fifth of a cell in both directions.
-    static Mesh<2>
-    mesh(const CellType cell_type, const unsigned int n_cells)
-    {
-      auto                                   engine = random_engine();
-      std::uniform_real_distribution<double> share(-0.2, 0.2);
-      Rectangle                              rectangle;
-      rectangle.cell_type = cell_type;
-      rectangle.n_x = rectangle.n_y = n_cells;
-      rectangle.left = rectangle.right = BoundaryRole::axis;
-      rectangle.bottom                 = BoundaryRole::axis;
-      rectangle.displaced              = [&](const Point<2> &regular) {
-        const double x = share(engine), y = share(engine);
-        return regular + Tensor<1, 2>({x / n_cells, y / n_cells});
-      };
-      return rectangle.mesh();
-    }
-
     using MaterialEquilibrium =
       Sandglass::MaterialEquilibrium<Kinematics, DruckerPrager>;
 
