@@ -31,7 +31,7 @@ namespace Sandglass
     {"elastic_energy_J",
      "J",
      [](const HistoryRow &r) { return r.totals.elastic_energy; },
-     "of all material and of the springs of friction that sticks"},
+     "of all material"},
     {"dissipated_energy_J",
      "J",
      [](const HistoryRow &r) { return r.totals.dissipated_energy; },

@@ -33,7 +33,7 @@ namespace Sandglass
     double mass_lost    = 0.; ///< left the grid otherwise, in kg
 
     double kinetic_energy    = 0.; ///< in J
-    double elastic_energy    = 0.; ///< springs of friction included, in J
+    double elastic_energy    = 0.; ///< of the material, in J
     double dissipated_energy = 0.; ///< by plastic flow and wall friction, in J
     /// Whether the law can't tell elastic energy from what is dissipated.
     bool   dissipation_can_fall = false;

@@ -273,9 +273,8 @@ namespace Sandglass
       return sum_up<Setting>(cloud.blocks(),
                              *law,
                              removed,
-                             {this->dissipation(),
-                              contact.wall_work(),
-                              contact.friction_energy()},
+                             this->dissipation(),
+                             contact.wall_work(),
                              particle_steps,
                              scene.communicator);
     }

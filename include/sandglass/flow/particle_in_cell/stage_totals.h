@@ -66,27 +66,18 @@ namespace Sandglass
 
 
 
-  /// Energies in J that are not its particles', of one rank.
-  struct OtherEnergies
-  {
-    double dissipated;       ///< by plastic flow and wall friction
-    double wall_work;        ///< of moving walls
-    double sticking_springs; ///< kept by the springs of sticking friction
-  };
-
-
-
   /**
    * The totals of all ranks. Collective.
    *
-   * @param removed,energies,particle_steps  of this rank.
+   * @param removed,dissipated_energy,wall_work,particle_steps  of this rank.
    */
   template <typename Setting>
   FlowTotals
   sum_up(const ParticleBlocks<typename Setting::Layout> &blocks,
          const LawInterface<Setting>                    &law,
          const RemovedMass                              &removed,
-         const OtherEnergies                            &energies,
+         const double                                    dissipated_energy,
+         const double                                    wall_work,
          const unsigned long                             particle_steps,
          const MPI_Comm                                  communicator)
   {
@@ -107,9 +98,8 @@ namespace Sandglass
       sums[i] = sum(of_lanes.sums[i]);
     sums[n]     = removed.discharged;
     sums[n + 1] = removed.lost;
-    sums[n + 2] = energies.dissipated;
-    sums[n + 3] = energies.wall_work;
-    sums[Totals::elastic_energy] += energies.sticking_springs;
+    sums[n + 2] = dissipated_energy;
+    sums[n + 3] = wall_work;
     const ArrayView<double> view(sums.data(), sums.size());
     Utilities::MPI::sum(ArrayView<const double>(view), communicator, view);
 
