@@ -145,13 +145,22 @@ namespace
 
 
 
-  TEST(CheckpointFiles, forty_kinds_of_damage_are_refused_by_name)
+  /// Run to an end, and ask for a later one.
+  void
+  leave_two_checkpoints(SmallSilo &silo)
   {
-    SmallSilo silo;
     silo.stage.end_time             = 0.002;
     silo.output.checkpoint_interval = 0.001;
     SmallRun(silo).run();
     silo.stage.end_time = 0.003;
+  }
+
+
+
+  TEST(CheckpointFiles, forty_kinds_of_damage_are_refused_by_name)
+  {
+    SmallSilo silo;
+    leave_two_checkpoints(silo);
     const SmallRun        run(silo);
     const CheckpointFiles files(silo.output.directory);
     const std::string     whole  = read_text(files.last);
@@ -181,10 +190,7 @@ namespace
   TEST(CheckpointFiles, damaged_one_before_is_not_offered)
   {
     SmallSilo silo;
-    silo.stage.end_time             = 0.002;
-    silo.output.checkpoint_interval = 0.001;
-    SmallRun(silo).run();
-    silo.stage.end_time = 0.003;
+    leave_two_checkpoints(silo);
     const SmallRun        run(silo);
     const CheckpointFiles files(silo.output.directory);
     for (const std::string &name : {files.last, files.before})

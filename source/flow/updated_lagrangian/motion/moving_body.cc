@@ -5,7 +5,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
-#include <numeric>
 
 namespace Sandglass
 {
@@ -156,22 +155,10 @@ namespace Sandglass
 
 
 
-  double
-  MovingBody::mass() const
-  {
-    return std::accumulate(point_masses.begin(), point_masses.end(), 0.);
-  }
-
-
-
   std::vector<double>
   MovingBody::cell_masses() const
   {
-    const unsigned int  n = grid.elements.mass_quadrature.size();
-    std::vector<double> masses(grid.mesh.cells.size(), 0.);
-    for (unsigned int i = 0; i < point_masses.size(); ++i)
-      masses[i / n] += point_masses[i];
-    return masses;
+    return sums_by_cell(point_masses, grid.mesh.cells.size());
   }
 
 
@@ -214,6 +201,18 @@ namespace Sandglass
     archive >> contact;
     motion.go_on(time, next, vectors[0], vectors[1], vectors[2]);
     motion.damp_next_step(is_damped);
+  }
+
+
+
+  std::vector<double>
+  sums_by_cell(const std::vector<double> &of_points, const unsigned int n_cells)
+  {
+    const unsigned int  n = of_points.size() / n_cells;
+    std::vector<double> sums(n_cells, 0.);
+    for (unsigned int i = 0; i < of_points.size(); ++i)
+      sums[i / n] += of_points[i];
+    return sums;
   }
 
 

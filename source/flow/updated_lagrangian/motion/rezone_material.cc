@@ -11,7 +11,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 #include <sstream>
 
 namespace Sandglass
@@ -218,30 +217,26 @@ namespace Sandglass
     void
     snap_to_walls(TriangleMesh &mesh, const MotionSetting &setting)
     {
+      // Of the nodes at the boundary; none of those at the free surface.
       std::map<unsigned int, std::vector<unsigned int>> walls_of;
       for (const auto &[cell, edge, mark] : mesh.boundary)
-        if (mark != TriangleMesh::free_surface)
-          for (unsigned int i = 0; i < mesh.order + 1; ++i)
-            {
-              auto &walls =
-                walls_of[mesh.cells[cell][i < 2 ? (edge + i) % 3 : 3 + edge]];
-              if (std::find(walls.begin(), walls.end(), mark) == walls.end())
-                walls.push_back(mark);
-            }
-      std::set<unsigned int> at_boundary;
-      for (const auto &[cell, edge, mark] : mesh.boundary)
-        for (unsigned int i = 0; i < mesh.order + 1; ++i)
-          at_boundary.insert(
-            mesh.cells[cell][i < 2 ? (edge + i) % 3 : 3 + edge]);
+        for (const unsigned int n : mesh.edge_nodes(cell, edge))
+          {
+            auto &walls = walls_of[n];
+            if (mark != TriangleMesh::free_surface &&
+                std::find(walls.begin(), walls.end(), mark) == walls.end())
+              walls.push_back(mark);
+          }
       const auto moved = [&](const unsigned int n) {
         Point<2>   p     = mesh.nodes[n];
         const auto found = walls_of.find(n);
         if (found == walls_of.end())
+          return p;
+        if (found->second.empty())
           {
-            if (at_boundary.count(n) > 0)
-              for (const RigidWall &wall : setting.walls)
-                if (stands_in(wall, p, setting))
-                  p = foot_on(wall, p);
+            for (const RigidWall &wall : setting.walls)
+              if (stands_in(wall, p, setting))
+                p = foot_on(wall, p);
             return p;
           }
         // Alternating projections end where two lines cross.
@@ -269,16 +264,17 @@ namespace Sandglass
             {
               const unsigned int n = cell[3 + i];
               const unsigned int a = cell[i], b = cell[(i + 1) % 3];
-              if (walls_of.count(n) > 0)
-                positions[n] =
-                  positions[a] + (positions[b] - positions[a]) / 2.;
-              else if (at_boundary.count(n) > 0)
-                positions[n] = moved(n);
-              else
+              const auto         found = walls_of.find(n);
+              if (found == walls_of.end())
                 positions[n] =
                   mesh.nodes[n] + ((positions[a] - mesh.nodes[a]) +
                                    (positions[b] - mesh.nodes[b])) /
                                     2.;
+              else if (found->second.empty())
+                positions[n] = moved(n);
+              else
+                positions[n] =
+                  positions[a] + (positions[b] - positions[a]) / 2.;
             }
       mesh.nodes = positions;
     }
@@ -479,10 +475,7 @@ namespace Sandglass
     {
       const RezoningOptions options = options_of(setting, state.at.mesh);
       const unsigned int    n_cells = state.at.mesh.cells.size();
-      const unsigned int    n_mass  = state.point_masses.size() / n_cells;
-      std::vector<double>   cell_masses(n_cells, 0.);
-      for (unsigned int i = 0; i < state.point_masses.size(); ++i)
-        cell_masses[i / n_mass] += state.point_masses[i];
+      const auto cell_masses        = sums_by_cell(state.point_masses, n_cells);
 
       CutOff          cut = cut_off(state.at.mesh,
                            cell_masses,

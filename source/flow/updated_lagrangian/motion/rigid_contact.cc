@@ -66,10 +66,8 @@ namespace Sandglass
     , node_at_dof(grid.elements.n_local_dofs(), numbers::invalid_unsigned_int)
   {
     for (const auto &[cell, edge, mark] : grid.mesh.boundary)
-      for (unsigned int i = 0; i < grid.mesh.order + 1; ++i)
+      for (const unsigned int n : grid.mesh.edge_nodes(cell, edge))
         {
-          const unsigned int n =
-            grid.mesh.cells[cell][i < 2 ? (edge + i) % 3 : 3 + edge];
           unsigned int &index = node_at_dof[grid.dof_of_node[n]];
           if (index == numbers::invalid_unsigned_int)
             {

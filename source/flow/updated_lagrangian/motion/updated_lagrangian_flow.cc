@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace Sandglass
@@ -55,23 +54,14 @@ namespace Sandglass
     mesh.order = setting.parameters.element_order;
     for (const Point<2> &vertex : part.mesh.vertices)
       mesh.nodes.push_back(vertex);
-    std::map<std::pair<unsigned int, unsigned int>, unsigned int> middle_of;
     for (const auto &cell : part.mesh.cells)
       {
         TriangleMesh::Cell nodes{};
         std::copy_n(cell.vertices.begin(), 3, nodes.begin());
-        for (unsigned int e = 0; e < 3 && mesh.order == 2; ++e)
-          {
-            const unsigned int a = nodes[e], b = nodes[(e + 1) % 3];
-            const auto [known, is_new] =
-              middle_of.emplace(std::minmax(a, b), mesh.nodes.size());
-            if (is_new)
-              mesh.nodes.push_back(mesh.nodes[a] +
-                                   (mesh.nodes[b] - mesh.nodes[a]) / 2.);
-            nodes[3 + e] = known->second;
-          }
         mesh.cells.push_back(nodes);
       }
+    if (mesh.order == 2)
+      add_edge_nodes(mesh);
     find_boundary(mesh, [](const unsigned int, const unsigned int) {
       return TriangleMesh::free_surface;
     });

@@ -98,18 +98,7 @@ namespace Sandglass
       void
       add_middles()
       {
-        std::map<std::pair<unsigned int, unsigned int>, unsigned int> middle_of;
-        for (auto &cell : mesh.cells)
-          for (unsigned int edge = 0; edge < 3; ++edge)
-            {
-              const unsigned int a = cell[edge], b = cell[(edge + 1) % 3];
-              const auto [known, is_new] =
-                middle_of.emplace(std::minmax(a, b), mesh.nodes.size());
-              cell[3 + edge] = known->second;
-              if (is_new)
-                mesh.nodes.push_back(mesh.nodes[a] +
-                                     (mesh.nodes[b] - mesh.nodes[a]) / 2.);
-            }
+        add_edge_nodes(mesh);
         for (const auto &[cell, edge, mark] : mesh.boundary)
           mesh.nodes[mesh.cells[cell][3 + edge]] =
             piece_at(cell, edge).curve[2];

@@ -67,6 +67,38 @@ namespace Sandglass
 
 
   std::vector<unsigned int>
+  TriangleMesh::edge_nodes(const unsigned int cell,
+                           const unsigned int edge) const
+  {
+    std::vector<unsigned int> result{cells[cell][edge],
+                                     cells[cell][(edge + 1) % 3]};
+    if (order == 2)
+      result.push_back(cells[cell][3 + edge]);
+    return result;
+  }
+
+
+
+  void
+  add_edge_nodes(TriangleMesh &mesh)
+  {
+    std::map<std::pair<unsigned int, unsigned int>, unsigned int> middle_of;
+    for (auto &cell : mesh.cells)
+      for (unsigned int edge = 0; edge < 3; ++edge)
+        {
+          const unsigned int a = cell[edge], b = cell[(edge + 1) % 3];
+          const auto [known, is_new] =
+            middle_of.emplace(std::minmax(a, b), mesh.nodes.size());
+          cell[3 + edge] = known->second;
+          if (is_new)
+            mesh.nodes.push_back(mesh.nodes[a] +
+                                 (mesh.nodes[b] - mesh.nodes[a]) / 2.);
+        }
+  }
+
+
+
+  std::vector<unsigned int>
   bodies_of_nodes(const TriangleMesh &mesh)
   {
     std::vector<unsigned int> bodies(mesh.nodes.size(),

@@ -44,11 +44,7 @@ namespace Sandglass
     MaterialState
     state() const;
 
-    /// Total mass in kg (plane strain: per m).
-    double
-    mass() const;
-
-    /// Masses of the cells, likewise.
+    /// Masses of the cells in kg (plane strain: per m).
     std::vector<double>
     cell_masses() const;
 
@@ -56,13 +52,6 @@ namespace Sandglass
     mesh() const
     {
       return grid.displaced(motion.displacement());
-    }
-
-    /// Of the law at a quadrature point.
-    Equilibrium<2>::PointState
-    point_state(const unsigned int index) const
-    {
-      return equilibrium->point_state(index);
     }
 
     /// Of the cells, all the same.
@@ -91,6 +80,12 @@ namespace Sandglass
     /// Of the nodes of this mesh when it was made, in m.
     MeshField displacement_before;
   };
+
+  /// Of each cell, the sum over its points, of which all cells have equally
+  /// many.
+  std::vector<double>
+  sums_by_cell(const std::vector<double> &of_points,
+               const unsigned int         n_cells);
 
   /// Masses of points of even density in a mesh without displacement.
   std::vector<double>

@@ -57,7 +57,16 @@ namespace Sandglass
     /// In order 1 the middle is half way.
     std::array<Point<2>, 3>
     edge_points(const unsigned int cell, const unsigned int edge) const;
+
+    /// The nodes there, in this order; in order 1 start and end only.
+    std::vector<unsigned int>
+    edge_nodes(const unsigned int cell, const unsigned int edge) const;
   };
+
+  /// Give the cells of a mesh of order 2, which have corners, nodes half way
+  /// along their edges.
+  void
+  add_edge_nodes(TriangleMesh &mesh);
 
   /// Of each node, the body of the first of its cells, or invalid_unsigned_int.
   std::vector<unsigned int>
