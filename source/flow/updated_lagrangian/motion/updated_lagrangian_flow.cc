@@ -1,7 +1,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/flow/updated_lagrangian/motion/mesh_walls.h>
 #include <sandglass/flow/updated_lagrangian/motion/rezone_material.h>
+#include <sandglass/flow/updated_lagrangian/motion/rezoning_options.h>
 #include <sandglass/flow/updated_lagrangian/motion/updated_lagrangian_flow.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <sandglass/choices.h>
 #include <sandglass/flow/in_space.h>
-#include <sandglass/flow/updated_lagrangian/motion/rezone_material.h>
+#include <sandglass/flow/updated_lagrangian/motion/rezoning_options.h>
 #include <sandglass/flow/updated_lagrangian/motion/updated_lagrangian_flow.h>
 
 #include <boost/serialization/array.hpp>

@@ -2,7 +2,6 @@
 #define sandglass_flow_updated_lagrangian_motion_rezone_material_h
 
 #include <sandglass/flow/updated_lagrangian/motion/moving_body.h>
-#include <sandglass/flow/updated_lagrangian/rezoning/rezoning_criterion.h>
 
 #include <string>
 
@@ -17,14 +16,6 @@ namespace Sandglass
     std::string   description;       ///< for the log
   };
 
-  /// ElementGrid's quadrature of stresses in triangles.
-  Quadrature<2>
-  stress_quadrature(const unsigned int order);
-
-  /// Mark the boundary edges that lie on walls with the walls' indices.
-  void
-  mark_walls(TriangleMesh &mesh, const MotionSetting &setting);
-
   /**
    * Cut off what has fallen, and mesh the rest anew within its boundary, with
    * nodes at the walls' ends, nodes of walls on their lines, and smaller
@@ -33,10 +24,6 @@ namespace Sandglass
    */
   RezonedMaterial
   rezone_material(const MotionSetting &setting, const MaterialState &state);
-
-  /// What the mesh must not do, lest the material be meshed anew.
-  RezoningCriterion
-  rezoning_criterion(const MotionSetting &setting);
 } // namespace Sandglass
 
 #endif

@@ -43,6 +43,13 @@ namespace Sandglass
       return normal * (p - start);
     }
 
+    /// Of the angle by which another wall's direction differs.
+    double
+    sine_to(const RigidWall &other) const
+    {
+      return normal[0] * other.normal[1] - normal[1] * other.normal[0];
+    }
+
     /// Whether a point's foot on the line lies on the wall; at ends that are
     /// not free also beyond, where the next wall holds it.
     bool
