@@ -2,7 +2,9 @@
 
 #include <sandglass/flow/updated_lagrangian/motion/mesh_walls.h>
 #include <sandglass/flow/updated_lagrangian/motion/rezoning_options.h>
+#include <sandglass/flow/updated_lagrangian/motion/surface_at_walls.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/element_quality.h>
+#include <sandglass/flow/updated_lagrangian/rezoning/smooth_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -147,6 +149,8 @@ namespace Sandglass
     };
     options.corners.change = [&setting](BoundaryLoop &loop) {
       fill_corners(loop, setting);
+      turn_surface_to_walls(loop, smallest_surface_angles, setting);
+      smooth_surface(loop, largest_turn_of_surface);
     };
     // Sharper turns of the surface stay, others become smooth.
     options.corners.largest_turn = 1.2;

@@ -4,6 +4,7 @@
 #include <sandglass/flow/updated_lagrangian/motion/mesh_walls.h>
 #include <sandglass/flow/updated_lagrangian/motion/rezone_material.h>
 #include <sandglass/flow/updated_lagrangian/motion/rezoning_options.h>
+#include <sandglass/flow/updated_lagrangian/motion/surface_at_walls.h>
 #include <sandglass/flow/updated_lagrangian/motion/updated_lagrangian_flow.h>
 
 #include <algorithm>
@@ -230,6 +231,8 @@ namespace Sandglass
     std::string        reason;
     if (worst.quality < limit)
       reason = worst.description();
+    else if (surface_leans_on_walls(mesh, worst_surface_angles, setting))
+      reason = "the free surface leans on a wall";
     // The body loses what has fallen once it is longer by some elements.
     double lowest = setting.lowest_level;
     for (const Point<2> &node : mesh.nodes)
