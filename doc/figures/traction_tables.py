@@ -40,13 +40,13 @@ def rows_at(directory, time):
             if row["time_s"] == nearest]
 
 
-def wall_force(directory, time):
-    """Normal force on the vertical wall, in N; plane: per metre."""
+def wall_force(directory, time, wall="wall"):
+    """Normal force on one wall, the vertical one, in N; plane: per metre."""
     return integral_along([row for row in rows_at(directory, time)
-                           if row["wall"] == "wall"], "normal_Pa")
+                           if row["wall"] == wall], "normal_Pa")
 
 
-def mean_wall_force(directory, start, end):
+def mean_wall_force(directory, start, end, wall="wall"):
     """wall_force(), mean over a stretch of time. Each output is a mean over the
     time since the one before."""
     times = sorted(set(run_output.read_table(directory,
@@ -54,7 +54,7 @@ def mean_wall_force(directory, start, end):
     stretches = {end_of_output: min(end, end_of_output) - max(start, before)
                  for before, end_of_output in zip(times, times[1:])}
     weights = {time: weight for time, weight in stretches.items() if weight > 0}
-    return (sum(weight * wall_force(directory, time)
+    return (sum(weight * wall_force(directory, time, wall)
                 for time, weight in weights.items()) / sum(weights.values()))
 
 

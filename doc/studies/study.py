@@ -17,6 +17,7 @@ import materials
 import mesh_seeds
 import outlet_sweep
 import performance
+import two_methods
 import verification
 import will_it_flow
 import work_precision
@@ -24,7 +25,8 @@ import work_precision
 STUDIES = {study.NAME: study
            for study in (any_silo, closed_silos, element_tests, outlet_sweep,
                          mesh_seeds, mass_matrix, materials, performance,
-                         verification, will_it_flow, work_precision)}
+                         two_methods, verification, will_it_flow,
+                         work_precision)}
 
 
 def write_csv(name, rows):
