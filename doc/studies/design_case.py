@@ -125,6 +125,40 @@ def bins():
                      "EN 1991-4, kPa"], lines)
 
 
+def raster(run):
+    """Corners of the cells of residence.vtu, times and shares that have
+    left."""
+    # Needed here only.
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(run.directory / "residence.vtu"))
+    reader.Update()
+    grid = reader.GetOutput()
+    corners = vtk_to_numpy(grid.GetPoints().GetData())[:, :2]
+    return (corners.reshape(-1, 4, 2).copy(),
+            *(vtk_to_numpy(grid.GetCellData().GetArray(name)).copy()
+              for name in ("residence time", "share that has left")))
+
+
+def in_order(run, distance):
+    """As first_in_first_out_share, of cells so many cells apart."""
+    if not run_output.has_ended(run.directory):
+        return None
+    corners, times, shares = raster(run)
+    height = corners[0, 2, 1] - corners[0, 0, 1]
+    cells = {(round(float(corner[0, 0]), 6),
+              round(float(corner[0, 1] / height))): (time, share >= 0.5)
+             for corner, time, share in zip(corners, times, shares)}
+    pairs = [(low, cells[x, row + distance])
+             for (x, row), low in cells.items()
+             if (x, row + distance) in cells]
+    counted = [(low, high) for low, high in pairs if low[1] or high[1]]
+    good = [low[1] and (not high[1] or low[0] <= high[0])
+            for low, high in counted]
+    return sum(good) / len(good)
+
+
 def residence():
     lines = []
     for name, title in SILOS.items():
@@ -133,38 +167,28 @@ def residence():
             number(summary.get(key), form) for key, form in (
                 ("transition_height_m", ".2g"),
                 ("smallest_mass_flow_index", ".2f"),
-                ("first_in_first_out_share", ".3f"),
+                ("first_in_first_out_share", ".3f"))] + [
+            number(in_order(silo_run(name), 2), ".3f")] + [
+            number(summary.get(key), form) for key, form in (
                 ("mean_residence_time_s", ".3g"),
                 ("residence_time_spread_s", ".2g"),
                 ("live_mass_kg", ".4g"), ("residual_mass_kg", ".3g"))])
     return markdown(["bottom", "kind of flow", "transition, m",
                      "smallest mass flow index", "first in, first out",
-                     "mean residence, s", "± s", "live, kg/m", "dead, kg/m"],
+                     "two cells apart", "mean residence, s", "± s", "live, kg/m", "dead, kg/m"],
                     lines)
 
 
 def draw(rows):
     """Residence maps of both silos."""
-    # Needed here only.
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
     if len(rows) < len(all_runs()):
         return
     with plt.rc_context({**STYLE, "axes.grid": False}):
         figure, row = plt.subplots(1, len(SILOS), figsize=(8, 4.4),
                                    layout="constrained")
         for axes, (name, title) in zip(row, SILOS.items()):
-            reader = vtkXMLUnstructuredGridReader()
-            reader.SetFileName(str(silo_run(name).directory / "residence.vtu"))
-            reader.Update()
-            grid = reader.GetOutput()
-            corners = vtk_to_numpy(grid.GetPoints().GetData())[:, :2]
-            corners = corners.reshape(-1, 4, 2)
-            times = vtk_to_numpy(
-                grid.GetCellData().GetArray("residence time")).copy()
-            share = vtk_to_numpy(
-                grid.GetCellData().GetArray("share that has left"))
-            times[share < 0.5] = float("nan")
+            corners, times, shares = raster(silo_run(name))
+            times[shares < 0.5] = float("nan")
             drawn = plt.matplotlib.collections.PolyCollection(
                 corners, array=times, cmap="YlGnBu_r")
             drawn.cmap.set_bad("#888888")
