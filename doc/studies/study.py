@@ -11,6 +11,7 @@ from pages import fill_all
 
 import any_silo
 import closed_silos
+import design_case
 import element_tests
 import mass_matrix
 import materials
@@ -23,7 +24,7 @@ import will_it_flow
 import work_precision
 
 STUDIES = {study.NAME: study
-           for study in (any_silo, closed_silos, element_tests, outlet_sweep,
+           for study in (any_silo, closed_silos, design_case, element_tests, outlet_sweep,
                          mesh_seeds, mass_matrix, materials, performance,
                          two_methods, verification, will_it_flow,
                          work_precision)}

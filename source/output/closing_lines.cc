@@ -1,5 +1,6 @@
 #include <sandglass/output/closing_lines.h>
 
+#include <cctype>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -62,6 +63,23 @@ namespace Sandglass
 
 
     std::string
+    kind_of_flow(const Summary &summary)
+    {
+      const FlowKind &kind = *summary.flow_kind;
+      std::string     text = kind.name;
+      text[0]              = static_cast<char>(std::toupper(text[0]));
+      if (!std::isnan(kind.transition))
+        text += ": material stands beside the wall up to y = " +
+                rounded(kind.transition) + " m";
+      if (!std::isnan(summary.flow.slipping_wall_share))
+        text += "; " + rounded(100. * summary.flow.slipping_wall_share) +
+                " % of the walls' area slips";
+      return text + '\n';
+    }
+
+
+
+    std::string
     pressure(const LargestPressure &largest)
     {
       const auto in_kPa = [](const double value) {
@@ -97,6 +115,8 @@ namespace Sandglass
     std::string text;
     if (summary.has_flow_rate)
       text += masses(summary) + flow_rate(summary, beverloo);
+    if (summary.flow_kind && !summary.flow_kind->name.empty())
+      text += kind_of_flow(summary);
     if (summary.largest_pressure && summary.largest_pressure->is_known())
       text += pressure(*summary.largest_pressure);
     return text + "Results are in " + directory +

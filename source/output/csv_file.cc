@@ -41,6 +41,22 @@ namespace Sandglass
 
 
 
+  std::string
+  csv_line(const std::vector<ColumnValue> &values)
+  {
+    std::vector<std::string> texts;
+    for (const ColumnValue &value : values)
+      if (const double *number = std::get_if<double>(&value))
+        texts.push_back(to_text(*number));
+      else if (const unsigned long *count = std::get_if<unsigned long>(&value))
+        texts.push_back(std::to_string(*count));
+      else
+        texts.push_back(std::get<std::string>(value));
+    return line_of(texts);
+  }
+
+
+
   CsvFile::CsvFile(const std::string              &filename,
                    const std::vector<std::string> &columns)
     : filename(filename)
@@ -55,7 +71,7 @@ namespace Sandglass
     if (size == 0)
       {
         file.open(filename, std::ios::trunc);
-        write_line(columns);
+        write_line(line_of(columns));
       }
     else
       {
@@ -101,23 +117,14 @@ namespace Sandglass
   void
   CsvFile::add_row(const std::vector<ColumnValue> &values)
   {
-    std::vector<std::string> texts;
-    for (const ColumnValue &value : values)
-      if (const double *number = std::get_if<double>(&value))
-        texts.push_back(to_text(*number));
-      else if (const unsigned long *count = std::get_if<unsigned long>(&value))
-        texts.push_back(std::to_string(*count));
-      else
-        texts.push_back(std::get<std::string>(value));
-    write_line(texts);
+    write_line(csv_line(values));
   }
 
 
 
   void
-  CsvFile::write_line(const std::vector<std::string> &texts)
+  CsvFile::write_line(const std::string &line)
   {
-    const std::string line = line_of(texts);
     file << line;
     size += line.size();
   }

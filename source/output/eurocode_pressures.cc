@@ -43,11 +43,12 @@ namespace Sandglass
 
 
 
-  double
-  EurocodePressures::hopper_friction() const
+  bool
+  EurocodePressures::is_silo() const
   {
-    return silo.hopper_friction_coefficient.value_or(
-      janssen.friction_coefficient);
+    // Retaining silos are those up to here.
+    return silo.width > 0. &&
+           silo.wall_height > 0.4 * silo.width * (1. + rounding);
   }
 
 
@@ -55,9 +56,28 @@ namespace Sandglass
   bool
   EurocodePressures::has_steep_hopper() const
   {
-    // False for NaN.
-    return 2. * hopper_friction() * silo.hopper_slope <
-           1. - janssen.lateral_pressure_ratio;
+    const double mu =
+      silo.hopper_friction_coefficient.value_or(janssen.friction_coefficient);
+    return 2. * mu * silo.hopper_slope < 1. - janssen.lateral_pressure_ratio;
+  }
+
+
+
+  double
+  EurocodePressures::hopper_friction() const
+  {
+    return has_steep_hopper() ?
+             silo.hopper_friction_coefficient.value_or(
+               janssen.friction_coefficient) :
+             (1. - janssen.lateral_pressure_ratio) / (2. * silo.hopper_slope);
+  }
+
+
+
+  bool
+  EurocodePressures::has_central_outlet() const
+  {
+    return silo.outlet_eccentricity <= 0.25 * silo.width * (1. + rounding);
   }
 
 
@@ -65,11 +85,11 @@ namespace Sandglass
   WallPressure
   EurocodePressures::on_wall(const Load load, const double depth) const
   {
-    if (!is_slender() && !is_intermediate())
+    if (!is_silo())
       return {};
 
     double normal = janssen.horizontal_pressure(depth);
-    if (is_intermediate())
+    if (!is_slender())
       {
         // Section 5.3.1.1 with h_o = 0 and tan(phi_r) = 0, so n = -1.
         normal = janssen.weight_density * janssen.lateral_pressure_ratio *
@@ -79,11 +99,46 @@ namespace Sandglass
     if (load == Load::filling)
       return {normal, tangential};
 
-    if (silo.outlet_eccentricity > 0.25 * silo.width * (1. + rounding))
+    if (!has_central_outlet())
       return {};
-    const double share =
-      is_slender() ? 1. : silo.wall_height / silo.width - 1.; // C_S
+    const double share = is_slender() ? 1. :
+                         is_intermediate() ?
+                                        silo.wall_height / silo.width - 1. : // C_S
+                           0.;
     return {(1. + 0.15 * share) * normal, (1. + 0.10 * share) * tangential};
+  }
+
+
+
+  double
+  EurocodePressures::patch_factor(const Load load) const
+  {
+    const double slenderness  = silo.wall_height / silo.width;
+    const bool   is_discharge = load == Load::discharge;
+    const double eccentricity =
+      is_discharge ? 2. * silo.outlet_eccentricity / silo.width : 0.; // E
+    if (is_discharge && slenderness <= 1.2)
+      return std::max(0.,
+                      0.272 * silo.patch_load_factor *
+                        (slenderness - 1. + eccentricity));
+    return std::max(0.,
+                    (is_discharge ? 0.42 : 0.21) * silo.patch_load_factor *
+                      (1. + 2. * eccentricity * eccentricity) *
+                      -std::expm1(-1.5 * (slenderness - 1.)));
+  }
+
+
+
+  double
+  EurocodePressures::patch(const Load load, const double depth) const
+  {
+    constexpr double of_band = 0.36;
+
+    const double normal = on_wall(load, depth).normal;
+    if (std::isnan(normal))
+      return normal;
+    return (silo.formulation == Formulation::plane_strain ? of_band : 1.) *
+           patch_factor(load) * normal;
   }
 
 
@@ -114,7 +169,8 @@ namespace Sandglass
   EurocodePressures::hopper_ratio(const Load load) const
   {
     const double mu = hopper_friction();
-    if (load == Load::filling) // Section 6.3.2, with mu = 0 allowed
+    // Sections 6.3.2 and 6.4, with mu = 0 allowed.
+    if (load == Load::filling || !has_steep_hopper())
       return 1. - hopper_coefficient * mu / (mu + silo.hopper_slope);
 
     // Section 6.3.3; the wall is no rougher than the material.
@@ -135,7 +191,7 @@ namespace Sandglass
   WallPressure
   EurocodePressures::on_hopper(const Load load, const double depth) const
   {
-    if ((!is_slender() && !is_intermediate()) || !has_steep_hopper())
+    if (!is_silo() || std::isnan(silo.hopper_slope))
       return {};
 
     const double mu = hopper_friction();

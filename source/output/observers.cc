@@ -36,6 +36,7 @@ namespace Sandglass
     , particles(parameters.directory, "particles", communicator)
     , grid(parameters.directory, "grid", communicator)
     , wall_tractions(parameters, scene, material)
+    , design(parameters, scene)
   {
     summary.formulation   = scene.formulation;
     summary.n_ranks       = Utilities::MPI::n_mpi_processes(communicator);
@@ -67,13 +68,17 @@ namespace Sandglass
     {
       TimerOutput::Scope scope(timings, Timing::output);
       open_files();
-      observe_history(view, true);
+      std::vector<WallTraction> tractions;
+      if (at_rest != nullptr &&
+          (parameters.writes_walls || design.needs_tractions()))
+        tractions = wall_tractions.at_rest(at_rest->wall_records);
+      observe_history(view, true, tractions);
       summary.n_particles  = summary.totals.n_particles;
       summary.initial_mass = summary.totals.mass();
-      std::vector<WallTraction> tractions;
-      if (parameters.writes_walls && at_rest != nullptr)
-        tractions = wall_tractions.at_rest(at_rest->wall_records);
+      if (!parameters.writes_walls)
+        tractions.clear();
       largest_pressure.add(tractions, summary.has_flow_rate);
+      design.add_walls(tractions, 1.);
       observe_fields(view, std::move(tractions));
     }
     write_summary(Status::running);
@@ -91,6 +96,8 @@ namespace Sandglass
       load(archived);
       history.refuse_other(directory);
       wall_tractions.refuse_other(directory);
+      if (is_writer)
+        design.refuse_other(directory);
     });
     if (!message.empty())
       throw InputError(message, "Output", "Directory");

@@ -23,6 +23,8 @@ namespace Sandglass
       grid.open();
       if (parameters.writes_walls)
         wall_tractions.open();
+      if (is_writer)
+        design.open();
     });
   }
 
@@ -54,16 +56,45 @@ namespace Sandglass
   void
   Observers<dim>::observe_history(const FlowView &view, const bool is_exact)
   {
+    observe_history(view,
+                    is_exact,
+                    design.needs_tractions() ?
+                      wall_tractions.since(design.wall_sums,
+                                           view.clock().time,
+                                           view.wall_records()) :
+                      std::vector<WallTraction>());
+  }
+
+
+
+  template <int dim>
+  void
+  Observers<dim>::observe_history(const FlowView                  &view,
+                                  const bool                       is_exact,
+                                  const std::vector<WallTraction> &tractions)
+  {
     const Clock &clock = view.clock();
     history_times.pass(clock.time);
     last_history_step = clock.step;
 
-    const HistoryRow row{
-      clock,
-      view.critical_time_step(is_exact),
-      totals(view),
-      {view, history.stagnant_displacement(), symmetry_factor, communicator}};
-    do_and_share_errors(communicator, [&]() { history.add(row); });
+    const HistoryRow row{clock,
+                         view.critical_time_step(is_exact),
+                         totals(view),
+                         {view,
+                          history.stagnant_displacement(),
+                          symmetry_factor,
+                          communicator,
+                          design.looks_at_particles() ?
+                            [this](const ParticleRecord &particle) {
+                              design.add(particle);
+                            } :
+                            std::function<void(const ParticleRecord &)>()}};
+    design.end_row(clock.time);
+    do_and_share_errors(communicator, [&]() {
+      history.add(row);
+      if (is_writer)
+        design.write_row(clock.time, tractions);
+    });
     check_dissipation(summary.totals, row);
     update_summary(clock, row.totals);
   }
@@ -98,6 +129,8 @@ namespace Sandglass
     std::vector<WallTraction> tractions =
       wall_tractions.since_last(view.clock().time, view.wall_records());
     largest_pressure.add(tractions, summary.has_flow_rate);
+    design.add_walls(tractions,
+                     summary.totals.mass_in_silo / summary.initial_mass);
     return tractions;
   }
 
@@ -119,8 +152,12 @@ namespace Sandglass
     if (parameters.writes_grid)
       pieces.emplace_back(&grid, grid_fields(view, dim));
     finish_writing();
+    const auto write_design = design.output(view.clock().time,
+                                            summary.totals.mass_discharged(),
+                                            tractions);
 
     writing.start([this,
+                   write_design,
                    time      = view.clock().time,
                    pieces    = std::move(pieces),
                    tractions = std::move(tractions)]() {
@@ -128,6 +165,7 @@ namespace Sandglass
         series->write(time, piece);
       if (!tractions.empty())
         wall_tractions.write(time, tractions);
+      write_design();
     });
   }
 
@@ -170,6 +208,7 @@ namespace Sandglass
       summary.flow = history.flow_summary();
     if (parameters.writes_walls)
       summary.largest_pressure = largest_pressure;
+    design.summarise(summary);
 
     JsonObject json;
     json.add(summary_table, summary);

@@ -53,6 +53,29 @@ namespace Sandglass
                "Ratio K of horizontal to vertical pressure in Janssen's "
                "formula; 0 takes K = 1.1 (1 - sin(phi)) of EN 1991-4, with the "
                "internal friction angle phi.");
+    add_number(*this,
+               "Patch load factor",
+               patch_load_factor,
+               Bounds::at_least(0.),
+               "1",
+               "The solid's reference factor C_op for the patch loads of EN "
+               "1991-4, from its Table E.1: 0.5 for wheat, 0.9 for maize, 1 "
+               "for solids that the table doesn't have.");
+    add_flag(*this,
+             "Residence",
+             writes_residence,
+             "Write residence.csv and residence.vtu: when material has left "
+             "the silo, by its first place.");
+    add_named_numbers(
+      *this,
+      "Gauges",
+      gauges,
+      NamedNumbersPattern(Bounds::any(), 2, 3),
+      "m",
+      "Points by name, x and y (and z in three dimensions), for example "
+      "\"foot: 0.8 0.1, middle: 0 0.6\". With each row of history.csv gauges.csv "
+      "gets the tractions there, where the point is on a wall, and the state "
+      "of the material around it.");
     add_number(
       *this,
       "Stagnant displacement",

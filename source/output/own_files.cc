@@ -17,7 +17,10 @@ namespace Sandglass
       {"vtu/(particles|grid|walls)_[0-9]{5,}(\\.[0-9]{4,})?\\.p?vtu",
        OwnFile::result},
       {"static\\.vtu", OwnFile::result},
-      {"(history|flow_rate|wall_traction)\\.csv", OwnFile::result},
+      {"(history|flow_rate|wall_traction|wall_envelope|flow_profile|residence|"
+       "gauges)\\.csv",
+       OwnFile::result},
+      {"residence\\.vtu", OwnFile::result},
       {"summary\\.json(\\.[0-9]+)?", OwnFile::leftover},
       {"sandglass\\.log", OwnFile::leftover},
       {"parameters\\.prm", OwnFile::leftover},
@@ -26,7 +29,7 @@ namespace Sandglass
       {"study\\.(csv|svg)", OwnFile::leftover},
       {"report\\.html", OwnFile::leftover},
       // What a killed run has left unfinished, see replace_file().
-      {"[a-z_]+(-before)?\\.(pvd|csv|json(\\.[0-9]+)?|prm|bin|svg|html)\\.new",
+      {"[a-z_]+(-before)?\\.(pvd|csv|vtu|json(\\.[0-9]+)?|prm|bin|svg|html)\\.new",
        OwnFile::leftover}};
 
 

@@ -44,7 +44,8 @@ namespace Sandglass
 
 
     EurocodePressures::Silo
-    make_silo(const Scene<2>           &scene,
+    make_silo(const OutputParameters   &parameters,
+              const Scene<2>           &scene,
               const MaterialParameters &material,
               const VerticalPart       &part)
     {
@@ -57,6 +58,7 @@ namespace Sandglass
       if (part.hopper_friction_coefficient)
         silo.hopper_friction_coefficient =
           borne_friction(*part.hopper_friction_coefficient, material);
+      silo.patch_load_factor = parameters.patch_load_factor;
       return silo;
     }
   } // namespace
@@ -68,7 +70,7 @@ namespace Sandglass
                                          const MaterialParameters &material)
     : part(scene)
     , janssen(make_janssen(parameters, scene, material, part))
-    , standard(make_silo(scene, material, part), janssen)
+    , standard(make_silo(parameters, scene, material, part), janssen)
   {}
 
 
@@ -96,5 +98,16 @@ namespace Sandglass
     return part.has_wall(record)   ? standard.on_wall(load, depth) :
            part.has_hopper(record) ? standard.on_hopper(load, depth) :
                                      WallPressure();
+  }
+
+
+
+  double
+  ReferencePressures::eurocode_patch(const EurocodePressures::Load load,
+                                     const WallRecord             &record) const
+  {
+    return part.friction_coefficient && part.has_wall(record) ?
+             standard.patch(load, part.top - record.position[1]) :
+             nothing;
   }
 } // namespace Sandglass

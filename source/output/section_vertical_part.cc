@@ -1,3 +1,4 @@
+#include <sandglass/output/section_outline.h>
 #include <sandglass/output/section_vertical_part.h>
 
 #include <algorithm>
@@ -8,38 +9,6 @@ namespace Sandglass
 {
   namespace
   {
-    /// Sines of angles below this are zero.
-    constexpr double small_sine = 1e-3;
-
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-
-    /// Lowest and highest of some numbers; empty without any.
-    struct Range
-    {
-      double lower = infinity, upper = -infinity;
-
-      void
-      add(const double x)
-      {
-        lower = std::min(lower, x);
-        upper = std::max(upper, x);
-      }
-
-      double
-      length() const
-      {
-        return std::max(0., upper - lower);
-      }
-
-      double
-      middle() const
-      {
-        return (lower + upper) / 2.;
-      }
-    };
-
-
-
     /// Which vertices the material has at the start.
     std::vector<bool>
     find_filled(const Mesh<2> &mesh)
@@ -60,33 +29,6 @@ namespace Sandglass
       return -gravity[1] > 0. &&
              std::abs(gravity[0]) <= small_sine * gravity.norm();
     }
-
-
-
-    /// The friction that walls have in common; none where they differ or move.
-    class CommonFriction
-    {
-    public:
-      void
-      add(const Wall<2> &wall)
-      {
-        const bool fits =
-          wall.velocity.norm() == 0. &&
-          (!coefficient || *coefficient == wall.friction_coefficient);
-        is_common   = is_common && fits;
-        coefficient = wall.friction_coefficient;
-      }
-
-      std::optional<double>
-      value() const
-      {
-        return is_common ? coefficient : std::nullopt;
-      }
-
-    private:
-      std::optional<double> coefficient;
-      bool                  is_common = true;
-    };
   } // namespace
 
 
@@ -181,7 +123,8 @@ namespace Sandglass
   {
     // The upper ends of what is no part of the sides, and their lower ends.
     foot = bottom;
-    std::vector<double> ends(sides.size(), infinity);
+    std::vector<double> ends(sides.size(),
+                             std::numeric_limits<double>::infinity());
     for (const Edge &edge : edges)
       if (!is_part_of_side(edge))
         foot = std::max(foot, edge.upper[1]);
@@ -193,74 +136,6 @@ namespace Sandglass
       foot = std::max(foot, end);
     for (const double end : ends)
       is_plain = is_plain && end > foot - rounding;
-  }
-
-
-
-  void
-  VerticalPart::find_hopper(const Scene<2>          &scene,
-                            const std::vector<Edge> &edges)
-  {
-    CommonFriction friction;
-    double         slope    = std::numeric_limits<double>::quiet_NaN();
-    bool           is_plain = true;
-    for (const Edge &edge : edges)
-      {
-        if (edge.upper[1] > foot + rounding || is_part_of_side(edge))
-          continue;
-        const Tensor<1, 2> along = edge.upper - edge.lower;
-        if (along[1] <= small_sine * along.norm())
-          {
-            // A floor below the hopper is none of it, one within it a step.
-            is_plain = is_plain && edge.upper[1] < bottom + rounding;
-            continue;
-          }
-        friction.add(scene.walls[edge.wall]);
-        const double of_edge = along[0] / along[1]; // > 0 at the right
-        if (std::isnan(slope))
-          slope = std::abs(of_edge);
-        const double side = of_edge > 0. ?
-                              *std::max_element(sides.begin(), sides.end()) :
-                              *std::min_element(sides.begin(), sides.end());
-        for (const Point<2> &end : {edge.lower, edge.upper})
-          is_plain = is_plain && std::abs(end[0] - side +
-                                          std::copysign(slope, of_edge) *
-                                            (foot - end[1])) <= 2. * rounding;
-      }
-    if (std::isnan(slope) || !is_plain || !friction.value())
-      return;
-    hopper_slope                = slope;
-    hopper_friction_coefficient = friction.value();
-  }
-
-
-
-  void
-  VerticalPart::find_outlet(const Scene<2> &scene)
-  {
-    Range  outlet, walls;
-    double length = 0.;
-    for (const auto &edge : scene.mesh.faces)
-      if (edge.role == BoundaryRole::outlet)
-        {
-          const Point<2> &a = scene.mesh.vertices[edge.vertices[0]];
-          const Point<2> &b = scene.mesh.vertices[edge.vertices[1]];
-          length += a.distance(b);
-          for (const Point<2> &point : {a, b})
-            outlet.add(point[0]);
-        }
-    if (length == 0.)
-      return;
-    for (const double side : sides)
-      walls.add(side);
-    const bool is_one =
-      std::abs(length - outlet.length()) <= rounding &&
-      (sides.size() == 2 || std::abs(outlet.lower - *axis) <= rounding ||
-       std::abs(outlet.upper - *axis) <= rounding);
-    outlet_eccentricity = !is_one ? infinity :
-                          sides.size() == 2 ?
-                                    std::abs(outlet.middle() - walls.middle()) :
-                                    0.;
   }
 
 

@@ -88,7 +88,32 @@ namespace Sandglass
      "EN 1991-4 discharge tangential traction",
      "Pa",
      [](const WallTraction &t) { return t.eurocode_discharge.tangential; },
-     "along the wall"}};
+     "along the wall"},
+    {nullptr,
+     "largest normal traction",
+     "Pa",
+     [](const WallTraction &t) { return t.range.largest; },
+     "in discharge so far, as in `wall_envelope.csv`"},
+    {nullptr,
+     "smallest normal traction",
+     "Pa",
+     [](const WallTraction &t) { return t.range.smallest; },
+     "likewise, of a full silo"},
+    {nullptr,
+     "largest over filling normal traction",
+     "1",
+     [](const WallTraction &t) { return t.range.ratio(); },
+     "likewise"},
+    {nullptr,
+     "EN 1991-4 filling patch",
+     "Pa",
+     [](const WallTraction &t) { return t.eurocode_filling_patch; },
+     "what a patch load adds to the filling pressure"},
+    {nullptr,
+     "EN 1991-4 discharge patch",
+     "Pa",
+     [](const WallTraction &t) { return t.eurocode_discharge_patch; },
+     "what a patch load adds to the discharge pressure"}};
 
 
 

@@ -128,22 +128,24 @@ namespace Sandglass
 
 
   std::vector<WallTraction>
-  WallTractions<2>::since_last(const double time, const WallRecords &records)
+  WallTractions<2>::since(WallSums          &last,
+                          const double       time,
+                          const WallRecords &records) const
   {
     const auto sorted = collect(records);
-    last_impulses.resize(sorted.size());
+    last.impulses.resize(sorted.size());
 
-    const double              duration = records.time - last_time;
+    const double              duration = records.time - last.time;
     std::vector<Tensor<1, 3>> forces;
     for (unsigned int i = 0; i < sorted.size(); ++i)
       {
         const Tensor<1, 3> &impulse = sorted[i].record.impulse;
         forces.push_back(duration > 0. ?
-                           (impulse - last_impulses[i]) / duration :
+                           (impulse - last.impulses[i]) / duration :
                            Tensor<1, 3>());
-        last_impulses[i] = impulse;
+        last.impulses[i] = impulse;
       }
-    last_time = records.time;
+    last.time = records.time;
     return make_tractions(time, sorted, forces);
   }
 
@@ -191,6 +193,10 @@ namespace Sandglass
       references.eurocode(EurocodePressures::Load::filling, record);
     traction.eurocode_discharge =
       references.eurocode(EurocodePressures::Load::discharge, record);
+    traction.eurocode_filling_patch =
+      references.eurocode_patch(EurocodePressures::Load::filling, record);
+    traction.eurocode_discharge_patch =
+      references.eurocode_patch(EurocodePressures::Load::discharge, record);
     return traction;
   }
 

@@ -26,6 +26,18 @@ namespace Sandglass
     }
 
     bool
+    has_flow_kind(const Summary &summary)
+    {
+      return summary.flow_kind.has_value();
+    }
+
+    bool
+    has_residence(const Summary &summary)
+    {
+      return summary.residence.has_value();
+    }
+
+    bool
     has_pressure(const Summary &summary)
     {
       return summary.largest_pressure && summary.largest_pressure->is_known();
@@ -216,6 +228,12 @@ namespace Sandglass
      [](const Summary &s) { return s.residual_mass(); },
      "what is left in the silo, once the flow has ended; else `null`",
      has_flow_rate},
+    {"live_mass_kg",
+     "kg",
+     [](const Summary &s) { return s.live_mass(); },
+     "what has left the silo by then, its live capacity; the residual mass is "
+     "the dead one",
+     has_flow_rate},
     {"stagnant_mass_kg",
      "kg",
      [](const Summary &s) { return *s.flow.stagnant_mass; },
@@ -228,6 +246,42 @@ namespace Sandglass
      [](const Summary &s) { return s.flow.slipping_wall_share; },
      "mean over the middle half of the discharged mass",
      has_flow_rate},
+    {"kind_of_flow",
+     "",
+     [](const Summary &s) { return s.flow_kind->name; },
+     "by `flow_profile.csv`, as EN 1991-4 names it: `mass flow`, or of funnel "
+     "flow `mixed flow`, whose flow zone meets the wall below the surface, or "
+     "`pipe flow`, in which it doesn't; empty where nothing flows",
+     has_flow_kind},
+    {"transition_height_m",
+     "m",
+     [](const Summary &s) { return s.flow_kind->transition; },
+     "above the outlet level, up to which material stands beside a wall; `null` "
+     "in mass flow",
+     has_flow_kind},
+    {"smallest_mass_flow_index",
+     "1",
+     [](const Summary &s) { return s.flow_kind->smallest_mass_flow_index; },
+     "of `flow_profile.csv`",
+     has_flow_kind},
+    {"mean_residence_time_s",
+     "s",
+     [](const Summary &s) { return s.residence->mean_time; },
+     "mean time when what has left passed the outlet level, with "
+     "`Output/Residence` as the next two",
+     has_residence},
+    {"residence_time_spread_s",
+     "s",
+     [](const Summary &s) { return s.residence->spread; },
+     "its standard deviation",
+     has_residence},
+    {"first_in_first_out_share",
+     "1",
+     [](const Summary &s) { return s.residence->in_order_share; },
+     "of all pairs of cells of `residence.vtu` one above the other of which at "
+     "least one has emptied by half, the share in which the lower one did "
+     "first: 1 where what is filled first leaves first",
+     has_residence},
     {"largest_wall_pressure_Pa",
      "Pa",
      [](const Summary &s) { return s.largest_pressure->pressure; },

@@ -2,6 +2,7 @@
 #include <sandglass/report/packing.h>
 #include <sandglass/report/page.h>
 #include <sandglass/report/particle_frames.h>
+#include <sandglass/report/residence_map.h>
 #include <sandglass/report/text_files.h>
 
 #include <algorithm>
@@ -83,6 +84,10 @@ namespace Sandglass
         const ParticleFrames frames(run.particles, is_axisymmetric);
         data += data_element("particles.json", pack(frames.description()));
         data += data_element("particles.bin", pack(frames.bytes()));
+        const auto residence = run.path / "residence.vtu";
+        if (std::filesystem::exists(residence))
+          data +=
+            data_element("residence.json", pack(residence_map(residence)));
         if (!run.meshes.empty())
           data += data_element("mesh.json",
                                pack(mesh_edges(
@@ -122,6 +127,7 @@ namespace Sandglass
                                      "movie.js",
                                      "player.js",
                                      "walls.js",
+                                     "design.js",
                                      "words.js",
                                      "report.js"})
         fill(page, file, read_text(templates / file));

@@ -84,7 +84,11 @@ namespace Sandglass
         {"flow_rate.csv",
          {"time_s", "discharged_mass_kg", "mass_flow_rate_kg_per_s"}},
         {"wall_traction.csv",
-         {"time_s", "wall", "arc_length_m", "x_m", "y_m", "normal_Pa"}}};
+         {"time_s", "wall", "arc_length_m", "x_m", "y_m", "normal_Pa"}},
+        {"wall_envelope.csv", {"wall", "side", "largest_normal_Pa"}},
+        {"flow_profile.csv", {"side", "y_m", "mass_flow_index"}},
+        {"residence.csv", {"time_s", "layer", "mass_left_kg"}},
+        {"gauges.csv", {"time_s", "gauge", "x_m", "y_m", "normal_Pa"}}};
       for (const auto &[name, columns] : tables)
         if (exists(name.c_str()) && std::filesystem::file_size(path / name) > 0)
           texts[name] = read_table(path / name, columns);

@@ -23,7 +23,8 @@ namespace Sandglass
      * not listed may not.
      *
      * Stagnant displacement is not: it says what a column of history.csv means,
-     * and whether there is one.
+     * and whether there is one. Nor are Residence and Gauges, whose files have
+     * to be there from the start.
      */
     constexpr FreeParameter free_parameters[] = {
       {"Scene", "Partitioner"},
@@ -49,6 +50,7 @@ namespace Sandglass
       {"Output", "Grid"},
       {"Output", "Walls"},
       {"Output", "Janssen lateral pressure ratio"},
+      {"Output", "Patch load factor"},
       {"Output", "Progress interval"},
       {"Output", "Checkpoint interval"}};
 

@@ -1,6 +1,7 @@
 #include <sandglass/choices.h>
 #include <sandglass/element_test/element_test_results.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
+#include <sandglass/output/design_results.h>
 #include <sandglass/output/grid_fields.h>
 #include <sandglass/output/history.h>
 #include <sandglass/output/particle_fields.h>
@@ -127,6 +128,11 @@ namespace Sandglass
                 "The walls as lines between their nodes, and the same as a "
                 "table, every `Output/Interval`.") +
            walls() +
+           file("wall_envelope.csv",
+                "A row for each node of each wall: the largest and smallest "
+                "pressures of the run so far, beside those at rest and those "
+                "of EN 1991-4. Written anew every `Output/Interval`.") +
+           columns("Column", wall_envelope_table) +
            file("static.vtu",
                 "The state at rest in the filled part of the mesh; beside the "
                 "cells' means below, `displacement` (m) at the nodes.") +
@@ -137,6 +143,26 @@ namespace Sandglass
                 "A row every `Output/History interval`, where material can "
                 "leave.") +
            columns("Column", flow_rate_table) +
+           file("flow_profile.csv",
+                "Where material can leave: how fast it sinks beside the walls "
+                "and in the middle, while the middle half of the mass that has "
+                "been discharged so far flowed. Written anew every "
+                "`Output/Interval`.") +
+           columns("Column", flow_profile_table) +
+           file("residence.csv",
+                "With `Output/Residence`, every `Output/Interval`: a row for "
+                "each of the 16 layers of the initial height.") +
+           columns("Column", residence_table) +
+           file("residence.vtu",
+                "With `Output/Residence`: a raster of the initial material, "
+                "with the times when it left. Written anew every "
+                "`Output/Interval`; what leaves between two rows of "
+                "`history.csv` counts as leaving in the middle of that time.") +
+           markdown_head(field_head) + field_rows(residence_cell_table) +
+           file("gauges.csv",
+                "With `Output/Gauges`, every `Output/History interval`: a row "
+                "for each gauge.") +
+           columns("Column", gauge_table) +
            file("summary.json",
                 "The run so far, with every file of fields, and as a whole in "
                 "the end.") +

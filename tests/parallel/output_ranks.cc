@@ -18,6 +18,7 @@ namespace
     silo.stage.end_time             = 0.12;
     silo.output.interval            = 0.05;
     silo.output.checkpoint_interval = 0.06;
+    silo.output.gauges = {{"wall", {0.4, 0.35}}, {"middle", {0.1, 0.3}}};
   }
 
 
@@ -52,8 +53,13 @@ namespace
   expect_same_tables(const SmallSilo &a, const SmallSilo &b)
   {
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      for (const std::string name :
-           {"/history.csv", "/flow_rate.csv", "/wall_traction.csv"})
+      for (const std::string name : {"/history.csv",
+                                     "/flow_rate.csv",
+                                     "/wall_traction.csv",
+                                     "/wall_envelope.csv",
+                                     "/flow_profile.csv",
+                                     "/residence.csv",
+                                     "/gauges.csv"})
         expect_same_table(a.output.directory + name, b.output.directory + name);
   }
 

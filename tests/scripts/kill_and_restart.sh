@@ -46,7 +46,7 @@ run()
 compare()
 {
   local name
-  for name in history.csv flow_rate.csv wall_traction.csv; do
+  for name in {history,flow_rate,wall_traction,wall_envelope,flow_profile,residence,gauges}.csv residence.vtu; do
     cmp "whole/$name" "$1/$name" || fail "moment $moment: $name differs"
   done
   diff -r whole/vtu "$1/vtu" || fail "moment $moment: the fields differ"

@@ -34,7 +34,7 @@ $mpiexec 2 "$sandglass" "$root/prm/quickstart.prm" -s "Particle stage/End time=0
 # --- What it holds -----------------------------------------------------------
 for run in run ranks; do
   [ "$("$sandglass_report" $run)" = $run/report.html ] || fail "$run: the report's name isn't printed"
-  for name in summary.json parameters.prm history.csv flow_rate.csv wall_traction.csv; do
+  for name in summary.json parameters.prm {history,flow_rate,wall_traction,wall_envelope,flow_profile,residence}.csv; do
     unpack $name $run/report.html | cmp - $run/$name || fail "$run: $name is another in the report"
   done
   particles=$(sed -n 's/.*"particles": \([0-9]*\),/\1/p' $run/summary.json)
@@ -47,6 +47,7 @@ frames=5
 bytes=$(unpack particles.bin run/report.html | wc -c)
 [ "$bytes" = $((1388 * (1 + 2 + 2 + frames * 5 * 2))) ] || fail "$bytes bytes of particles"
 grep -q '"edges"' <(unpack mesh.json run/report.html) || fail "no mesh"
+grep -q '"share": \[' <(unpack residence.json run/report.html) || fail "no map of residence"
 ls run | grep -q 'report.html.new' && fail "the draft is left"
 
 # --- One file ----------------------------------------------------------------
@@ -111,6 +112,8 @@ damaged && sed -i '5s/,[^,]*$//' damaged/wall_traction.csv
 expect_refusal "'damaged/wall_traction.csv' is damaged: line 5 has 12 values for 13 columns." damaged
 damaged && sed -i '1s/normal_Pa/normal/' damaged/wall_traction.csv
 expect_refusal "'damaged/wall_traction.csv' has no column 'normal_Pa'" damaged
+damaged && head -c 300 run/residence.vtu >damaged/residence.vtu
+expect_refusal "'damaged/residence.vtu' is damaged" damaged
 damaged && rm damaged/vtu/particles_00002.vtu
 expect_refusal "'damaged/vtu/particles_00002.vtu' is missing." damaged
 damaged && truncate -s -3000 damaged/vtu/particles_00002.vtu

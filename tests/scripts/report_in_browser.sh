@@ -67,7 +67,7 @@ number()
     sed -E ':a; s/^([0-9]+)([0-9]{3})/\1,\2/; ta'
 }
 
-"$sandglass" "$root/prm/quickstart.prm" -s "Particle stage/End time=1" -o run --quiet
+"$sandglass" "$root/prm/quickstart.prm" -s "Particle stage/End time=1" -s "Output/Gauges=foot: 0.8 0.1, middle: 0 0.6" -o run --quiet
 "$sandglass_report" run >/dev/null
 
 # --- The numbers -------------------------------------------------------------
@@ -85,6 +85,11 @@ last=$(number "$(tail -n 1 run/flow_rate.csv | cut -d, -f3)" 4)
 grep -q "<th>Flow rate</th><td>$last kg/(s m)</td>" page.html || fail "the rate at the end is not $last"
 grep -q "silo 1.6 m wide, with a wall 1.7 m high, a flat bottom and a slot of 0.45 m" page.html ||
   fail "the silo is another one in words"
+grep -q "data-key=\"kind_of_flow\" data-value=$(summary kind_of_flow)" page.html || fail "the kind of flow is another one"
+for text in "Largest over filling pressure" "mass flow index" "Which layers leave when" "When material leaves, by its first place" \
+  "Gauges: foot (x = 0.8 m, y = 0.1 m), middle" "Normal pressure on walls" "Downward speed"; do
+  grep -qF "$text" page.html || fail "there is no '$text'"
+done
 for text in "Beverloo, fine grains" "Janssen" "EN 1991-4, discharge" "range over the run" "work of gravity" "20 degrees"; do
   grep -qF "$text" page.html || fail "there is no '$text'"
 done

@@ -72,16 +72,63 @@ TEST(EurocodePressures, IntermediateWalls)
 
 
 
-TEST(EurocodePressures, SquatWallsAndFarOutletsAreLeftOut)
+TEST(EurocodePressures, SquatWalls)
 {
-  expect_nothing(plane_silo(1.).on_wall(Load::filling, 0.5));
-  expect_nothing(plane_silo(1.).on_hopper(Load::filling, 1.2));
+  // z = 0.5 m: 15000 0.5 0.5 / 1.2 = 3125 Pa, the same on discharge
+  const auto silo = plane_silo(1.);
+  for (const Load load : {Load::filling, Load::discharge})
+    expect_pressure(silo.on_wall(load, 0.5), 3125., 1250.);
+  EXPECT_GT(plane_silo(0.41).on_wall(Load::filling, 0.2).normal, 0.);
+}
+
+
+
+TEST(EurocodePressures, RetainingSilosAndFarOutletsAreLeftOut)
+{
+  expect_nothing(plane_silo(0.4).on_wall(Load::filling, 0.2));
+  expect_nothing(plane_silo(0.4, 0.5).on_hopper(Load::filling, 0.5));
+  EXPECT_TRUE(std::isnan(plane_silo(0.4).patch(Load::filling, 0.2)));
   // outlet at 0.25 d_c and beyond
   const auto near = plane_silo(3., nothing, 0.25);
   EXPECT_GT(near.on_wall(Load::discharge, 1.).normal, 0.);
   const auto far = plane_silo(3., nothing, 0.26);
   EXPECT_GT(far.on_wall(Load::filling, 1.).normal, 0.);
   expect_nothing(far.on_wall(Load::discharge, 1.));
+  EXPECT_TRUE(std::isnan(far.patch(Load::discharge, 1.)));
+}
+
+
+
+// A round silo of wheat (C_op = 0.5), h_c / d_c = 3: C_pf = 0.21 0.5 (1 - e^-3)
+// = 0.0997724; with the outlet 0.1 d_c off the middle E = 0.2 and C_pe = 0.42
+// 0.5 1.08 (1 - e^-3) = 0.215508. p_hf = 9375 (1 - e^-0.8) = 5162.54 Pa at z =
+// 1 m, where z_o = 1.25 m, and p_he is 1.15 times that.
+TEST(EurocodePressures, PatchLoads)
+{
+  EurocodePressures::Silo wheat{
+    Formulation::axisymmetric, 1., 3., 0.1, nothing, 30.};
+  wheat.patch_load_factor = 0.5;
+  const Janssen           janssen{density, 0.25, lateral_ratio, mu};
+  const EurocodePressures round(wheat, janssen);
+  EXPECT_NEAR(round.patch(Load::filling, 1.), 515.08, 0.1);
+  EXPECT_NEAR(round.patch(Load::discharge, 1.), 1279.46, 0.1);
+  // Not round: a band of 0.36 times the pressure.
+  wheat.formulation = Formulation::plane_strain;
+  EXPECT_NEAR(EurocodePressures(wheat, janssen).patch(Load::filling, 1.),
+              0.36 * 515.08,
+              0.1);
+  // h_c / d_c = 1.1, E = 0.2: C_pe = 0.272 0.5 0.3 = 0.0408; C_h = 1.015 and
+  // p_hf = 15000 0.5 0.5 / 1.4 = 2678.57 Pa at z = 0.5 m.
+  wheat.formulation = Formulation::axisymmetric;
+  wheat.wall_height = 1.1;
+  EXPECT_NEAR(EurocodePressures(wheat, janssen).patch(Load::discharge, 0.5),
+              110.92,
+              0.1);
+  // Neither factor is less than zero.
+  wheat.wall_height         = 0.9;
+  wheat.outlet_eccentricity = 0.;
+  for (const Load load : {Load::filling, Load::discharge})
+    EXPECT_EQ(EurocodePressures(wheat, janssen).patch(load, 0.5), 0.);
 }
 
 
@@ -101,8 +148,13 @@ TEST(EurocodePressures, WedgeHopper)
   const auto silo = plane_silo(2., 0.5);
   expect_pressure(silo.on_hopper(Load::filling, 2.5), 17453., 6981.);
   expect_pressure(silo.on_hopper(Load::discharge, 2.5), 17459., 6984.);
-  // No steep hopper, and none.
-  expect_nothing(plane_silo(2., 0.626).on_hopper(Load::filling, 2.5));
+  // Shallow: tan(beta) = 1, mu_heff = 0.25, F = 1 - 0.2 / 5 = 0.96, n = 0.2,
+  // h_h = 0.5 m, x / h_h = 0.5: p_v = 9375 (0.5^0.2 - 0.5) + 20650.2 0.5^0.2
+  // = 21451.0 Pa, on filling and on discharge.
+  const auto shallow = plane_silo(2., 1.);
+  for (const Load load : {Load::filling, Load::discharge})
+    expect_pressure(shallow.on_hopper(load, 2.25), 20593., 5148.);
+  // No hopper.
   expect_nothing(plane_silo(2.).on_hopper(Load::filling, 2.5));
 }
 
@@ -118,27 +170,31 @@ TEST(EurocodePressures, HoppersAreInEquilibrium)
       {
         const bool   is_plane = formulation == Formulation::plane_strain;
         const double height   = 1.5; // intermediate
-        const double slope = 0.4, hopper_height = 0.5 / slope;
-        const EurocodePressures silo(
-          {formulation, 1., height, 0., slope, 30.},
-          {density, is_plane ? 0.5 : 0.25, lateral_ratio, mu});
-
-        // The lifting force over pi in cones, over 2 in wedges.
-        double                 lift = 0.;
-        constexpr unsigned int n    = 20000;
-        for (unsigned int i = 0; i < n; ++i)
+        // Steep and shallow.
+        for (const double slope : {0.4, 1.2})
           {
-            const double x = hopper_height * (i + 0.5) / n;
-            const auto   pressure =
-              silo.on_hopper(load, height + hopper_height - x);
-            lift += (slope * pressure.normal + pressure.tangential) *
-                    (is_plane ? 1. : 2. * slope * x) * hopper_height / n;
+            const double            hopper_height = 0.5 / slope;
+            const EurocodePressures silo(
+              {formulation, 1., height, 0., slope, 30.},
+              {density, is_plane ? 0.5 : 0.25, lateral_ratio, mu});
+
+            // The lifting force over pi in cones, over 2 in wedges.
+            double                 lift = 0.;
+            constexpr unsigned int n    = 20000;
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const double x = hopper_height * (i + 0.5) / n;
+                const auto   pressure =
+                  silo.on_hopper(load, height + hopper_height - x);
+                lift += (slope * pressure.normal + pressure.tangential) *
+                        (is_plane ? 1. : 2. * slope * x) * hopper_height / n;
+              }
+            const double z_o = (is_plane ? 0.5 : 0.25) / (lateral_ratio * mu);
+            const double transition = density * z_o * std::log1p(height / z_o);
+            const double load_above = transition * (is_plane ? 0.5 : 0.25);
+            const double weight =
+              density * hopper_height * (is_plane ? 0.5 / 2. : 0.25 / 3.);
+            EXPECT_NEAR(lift / (load_above + weight), 1., 1e-4);
           }
-        const double z_o = (is_plane ? 0.5 : 0.25) / (lateral_ratio * mu);
-        const double transition = density * z_o * std::log1p(height / z_o);
-        const double load_above = transition * (is_plane ? 0.5 : 0.25);
-        const double weight =
-          density * hopper_height * (is_plane ? 0.5 / 2. : 0.25 / 3.);
-        EXPECT_NEAR(lift / (load_above + weight), 1., 1e-4);
       }
 }

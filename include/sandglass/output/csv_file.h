@@ -14,6 +14,30 @@ namespace Sandglass
   std::string
   to_text(const double value);
 
+  /// A row of a comma separated table, with the line's end.
+  std::string
+  csv_line(const std::vector<ColumnValue> &values);
+
+  /// A whole table with its head.
+  template <typename Source>
+  std::string
+  csv_text(const std::vector<Column<Source>> &columns,
+           const std::vector<Source>         &rows)
+  {
+    std::vector<ColumnValue> values;
+    for (const Column<Source> &column : columns)
+      values.push_back(std::string(column.name));
+    std::string text = csv_line(values);
+    for (const Source &row : rows)
+      {
+        values.clear();
+        for (const Column<Source> &column : columns)
+          values.push_back(value_of(column, row));
+        text += csv_line(values);
+      }
+    return text;
+  }
+
   /**
    * A comma separated table in a file, which one rank writes. Throws RunError
    * when it can't.
@@ -57,7 +81,7 @@ namespace Sandglass
 
   private:
     void
-    write_line(const std::vector<std::string> &texts);
+    write_line(const std::string &line);
 
     const std::string              filename;
     const std::vector<std::string> columns;

@@ -17,16 +17,17 @@ namespace Sandglass
   };
 
   /**
-   * The symmetrical filling and discharge pressures of EN 1991-4:2006 on
-   * vertical walls (Sections 5.2 and 5.3) of slender (h_c / d_c >= 2) and
-   * intermediately slender (1 < h_c / d_c < 2) silos, and on their steep
-   * hoppers (Section 6.3). Squat silos, shallow hoppers, flat bottoms and patch
-   * loads are left out.
+   * The symmetrical filling and discharge pressures and the patch loads of EN
+   * 1991-4:2006 on vertical walls (Sections 5.2 and 5.3) of slender (h_c / d_c
+   * >= 2), intermediately slender (1 < h_c / d_c < 2) and squat (0.4 < h_c /
+   * d_c <= 1) silos, and the pressures on their steep and shallow hoppers
+   * (Sections 6.3 and 6.4). Retaining silos, flat bottoms and the flow channels
+   * of large outlet eccentricities (Section 5.2.4) are left out.
    *
    * The factors are those of action assessment classes 2 and 3; K, mu and phi
    * are what the caller gives, not upper or lower characteristic values. The
    * surface is level: the pile's height h_o and slope phi_r in Section 5.3 are
-   * zero.
+   * zero, and so is the filling's eccentricity e_f.
    */
   class EurocodePressures
   {
@@ -44,6 +45,8 @@ namespace Sandglass
       double internal_friction_angle; ///< phi, in degrees
       /// mu_h; none: that of the vertical wall.
       std::optional<double> hopper_friction_coefficient = {};
+      /// C_op, the solid's reference factor for patch loads (Table E.1).
+      double patch_load_factor = 1.;
     };
 
     EurocodePressures(const Silo &silo, const Janssen &janssen);
@@ -66,8 +69,22 @@ namespace Sandglass
     on_wall(const Load load, const double depth) const;
 
     /**
-     * Pressure and friction on the hopper (Sections 6.1.2, 6.3.2 and 6.3.3),
-     * with full wall friction and the bottom load magnifier C_b = 1.
+     * The pressure in Pa that a patch load adds to that on the vertical wall at
+     * a depth: C_pf p_hf (eqs. 5.8 to 5.11) on filling, C_pe p_he (eqs. 5.27 to
+     * 5.30) on discharge, with the outlet's eccentricity. In plane strain it is
+     * the band of silos that are not round, 0.36 times as much (eqs. 5.17 and
+     * 5.37). NaN where on_wall() is.
+     *
+     * @param depth  below the surface, in m.
+     */
+    double
+    patch(const Load load, const double depth) const;
+
+    /**
+     * Pressure and friction on the hopper: full wall friction on steep ones
+     * (Sections 6.1.2, 6.3.2 and 6.3.3), mu_heff = (1 - K) / (2 tan(beta)) on
+     * shallow ones (Section 6.4), whose pressures on discharge are those on
+     * filling. The bottom load magnifier is C_b = 1.
      *
      * @param depth  below the surface, in m.
      */
@@ -79,16 +96,27 @@ namespace Sandglass
     is_slender() const;
     bool
     is_intermediate() const;
+    /// Whether it is slender, intermediate or squat.
+    bool
+    is_silo() const;
     bool
     has_steep_hopper() const;
 
-    /// mu_h
+    /// mu_h, or mu_heff where the hopper is shallow.
     double
     hopper_friction() const;
+
+    /// C_pf or C_pe.
+    double
+    patch_factor(const Load load) const;
 
     /// z / z_o, the depth over Janssen's characteristic depth.
     double
     relative_depth(const double depth) const;
+
+    /// Whether the outlet is near enough to the middle for Section 5.3.2.
+    bool
+    has_central_outlet() const;
 
     /// Mean vertical pressure p_vf in the vertical section, in Pa.
     double

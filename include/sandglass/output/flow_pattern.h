@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -19,16 +20,17 @@ namespace Sandglass
     FlowPattern() = default;
 
     /**
-     * Collective. One pass over the particles if the stagnant mass is asked
-     * for.
+     * Collective. One pass over this rank's particles, where one is asked for.
      *
      * @param stagnant_displacement  in m; 0: no stagnant mass.
      * @param symmetry_factor        see Scene.
+     * @param also                   is called with each particle; may be empty.
      */
     FlowPattern(const FlowView &view,
                 const double    stagnant_displacement,
                 const double    symmetry_factor,
-                const MPI_Comm  communicator);
+                const MPI_Comm  communicator,
+                const std::function<void(const ParticleRecord &)> &also = {});
 
     /// Share of the wall's area in contact where the material slides, in the
     /// last step; NaN where nothing is in contact.

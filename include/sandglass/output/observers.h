@@ -4,6 +4,7 @@
 #include <sandglass/flow/flow_view.h>
 #include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/output/background_task.h>
+#include <sandglass/output/design_results.h>
 #include <sandglass/output/history.h>
 #include <sandglass/output/particle_fields.h>
 #include <sandglass/output/progress.h>
@@ -133,8 +134,9 @@ namespace Sandglass
     serialize(Archive &archive, const unsigned int)
     {
       archive &last_history_step &last_field_step;
-      archive &summary.n_particles                      &summary.initial_mass;
-      archive &history &particles &grid &wall_tractions &largest_pressure;
+      archive &summary.n_particles &summary.initial_mass;
+      archive &history &particles &grid &wall_tractions &largest_pressure
+        &design;
     }
 
   private:
@@ -157,6 +159,13 @@ namespace Sandglass
     void
     update_summary(const Clock &clock, const SiloTotals &totals);
     /// @param is_exact  find the critical step for these very positions.
+    /// @param tractions  since the last row, where the design results need
+    /// them.
+    void
+    observe_history(const FlowView                  &view,
+                    const bool                       is_exact,
+                    const std::vector<WallTraction> &tractions);
+    /// Likewise, with those since the last row.
     void
     observe_history(const FlowView &view, const bool is_exact);
     /// Say so if dissipated energy has come back since the last row.
@@ -196,8 +205,10 @@ namespace Sandglass
     FieldSeries        particles, grid;
     WallTractions<dim> wall_tractions;
     LargestPressure    largest_pressure;
+    DesignResults<dim> design;
 
-    /// Writes particles, grid and wall_tractions, so it is destroyed first.
+    /// Writes particles, grid, walls and design results, so it is destroyed
+    /// first.
     BackgroundTask writing;
   };
 } // namespace Sandglass

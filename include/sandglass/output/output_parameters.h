@@ -3,6 +3,8 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
+#include <sandglass/base/parameter_entries.h>
+
 #include <string>
 
 namespace Sandglass
@@ -33,6 +35,13 @@ namespace Sandglass
 
     /// Janssen's K; 0 takes the one of EN 1991-4.
     double lateral_pressure_ratio = 0.;
+
+    /// C_op of EN 1991-4.
+    double patch_load_factor = 1.;
+
+    bool writes_residence = true;
+    /// Points by name; none: no gauges.
+    NamedNumbers gauges;
 
     double progress_interval   = 5.; ///< wall time in s; 0: no progress lines
     double checkpoint_interval = 0.; ///< simulated time in s; 0: none

@@ -27,6 +27,11 @@ namespace Sandglass
     eurocode(const EurocodePressures::Load load,
              const WallRecord             &record) const;
 
+    /// What its patch loads add to that on vertical walls, in Pa.
+    double
+    eurocode_patch(const EurocodePressures::Load load,
+                   const WallRecord             &record) const;
+
   private:
     const VerticalPart      part;
     const Janssen           janssen;

@@ -6,6 +6,7 @@
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/output/csv_file.h>
 #include <sandglass/output/field_series.h>
+#include <sandglass/output/normal_range.h>
 #include <sandglass/output/output_parameters.h>
 #include <sandglass/output/section_reference_pressures.h>
 #include <sandglass/output/section_wall_lines.h>
@@ -31,6 +32,11 @@ namespace Sandglass
     double janssen_normal; ///< in Pa; NaN where Janssen says nothing
     /// Likewise.
     WallPressure eurocode_filling, eurocode_discharge;
+    /// What its patch loads add, likewise.
+    double eurocode_filling_patch, eurocode_discharge_patch;
+
+    /// What the wall has borne here so far.
+    NormalRange range;
 
     /// In Pa, compression positive.
     double
@@ -68,6 +74,21 @@ namespace Sandglass
   VtuPiece
   wall_fields(const std::vector<WallTraction> &tractions);
 
+  /// What walls had done up to a time, in the order of the tractions; on rank
+  /// 0.
+  struct WallSums
+  {
+    double                    time = 0.; ///< in s
+    std::vector<Tensor<1, 3>> impulses;  ///< in N s
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &time &impulses;
+    }
+  };
+
   template <int dim>
   class WallTractions;
 
@@ -98,13 +119,19 @@ namespace Sandglass
     at_rest(const WallRecords &records) const;
 
     /**
-     * Likewise the means since the last call or, the first time, since the
-     * flow's start. Collective.
+     * Likewise the means since `last`, which then is now. Collective.
      *
      * @param time  in s.
      */
     std::vector<WallTraction>
-    since_last(const double time, const WallRecords &records);
+    since(WallSums &last, const double time, const WallRecords &records) const;
+
+    /// The same since the last call or, the first time, since the flow's start.
+    std::vector<WallTraction>
+    since_last(const double time, const WallRecords &records)
+    {
+      return since(last, time, records);
+    }
 
     /// Write what one of these has returned at this time, in s.
     void
@@ -114,7 +141,7 @@ namespace Sandglass
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &table &series &last_time &last_impulses;
+      archive &table &series &last;
     }
 
   private:
@@ -149,10 +176,8 @@ namespace Sandglass
     CsvTable<WallTraction>   table;
     FieldSeries              series;
 
-    /// Sums of the flow when since_last() was called, on rank 0; in the order
-    /// of the tractions.
-    double                    last_time = 0.; ///< in s
-    std::vector<Tensor<1, 3>> last_impulses;  ///< in N s
+    /// When since_last() was called.
+    WallSums last;
   };
 } // namespace Sandglass
 

@@ -4,8 +4,10 @@
 #include <sandglass/base/table.h>
 #include <sandglass/continuum/formulation.h>
 #include <sandglass/flow/updated_lagrangian/static_state.h>
+#include <sandglass/output/flow_kind.h>
 #include <sandglass/output/flow_summary.h>
 #include <sandglass/output/largest_pressure.h>
+#include <sandglass/output/residence_summary.h>
 #include <sandglass/output/silo_totals.h>
 #include <sandglass/output/summary_file.h>
 #include <sandglass/scene/resolution.h>
@@ -47,6 +49,11 @@ namespace Sandglass
     bool        has_flow_rate = false;
     FlowSummary flow;
 
+    /// On rank 0, where material can leave.
+    std::optional<FlowKind> flow_kind;
+    /// On rank 0, where residence is asked for.
+    std::optional<ResidenceSummary> residence;
+
     /// On rank 0, where wall tractions are written.
     std::optional<LargestPressure> largest_pressure;
 
@@ -61,6 +68,13 @@ namespace Sandglass
     /// Mass in the silo once the flow has ended, in kg; NaN before.
     double
     residual_mass() const;
+
+    /// The initial mass less that, in kg.
+    double
+    live_mass() const
+    {
+      return initial_mass - residual_mass();
+    }
   };
 
   /// Keys of summary.json.

@@ -22,7 +22,7 @@ async function unpackedText(name) {
 // numbers; empty if there is no such file.
 async function table(name) {
   const text = await unpackedText(name);
-  const isText = new Set(["wall", "side"]);
+  const isText = new Set(["wall", "side", "gauge"]);
   return text === null ? [] : d3.csvParse(text, row => {
     for (const column in row)
       if (!isText.has(column))
@@ -72,15 +72,17 @@ function parseParameters(text) {
 async function loadRun() {
   if (typeof DecompressionStream === "undefined")
     throw new Error("This browser is too old to unpack the report (it has no DecompressionStream).");
-  const [summary, parameters, log, history, flowRate, walls, mesh, movie] = await Promise.all([
+  const [summary, parameters, log, history, flowRate, walls, wallEnvelope, flowProfile, residence, gauges, residenceMap, mesh, movie] = await Promise.all([
     unpackedText("summary.json"), unpackedText("parameters.prm"), unpackedText("sandglass.log"),
     table("history.csv"), table("flow_rate.csv"), table("wall_traction.csv"),
+    table("wall_envelope.csv"), table("flow_profile.csv"), table("residence.csv"), table("gauges.csv"), unpackedText("residence.json"),
     unpackedText("mesh.json"), loadMovie()]);
   const sections = parseParameters(parameters || "");
   const parameter = (section, name) => ((sections[section] || {})[name] || { value: "" }).value;
   return {
     summary: summary ? JSON.parse(summary) : { status: "running" },
-    sections, parameter, log: log || "", history, flowRate, walls,
+    sections, parameter, log: log || "", history, flowRate, walls, wallEnvelope, flowProfile, residence, gauges,
+    residenceMap: residenceMap ? JSON.parse(residenceMap) : null,
     mesh: mesh ? JSON.parse(mesh) : null, movie,
     // Quantities are per metre of depth in a plane silo.
     isPlane: parameter("Scene", "Formulation") === "plane strain",

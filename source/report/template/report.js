@@ -222,9 +222,12 @@ async function main() {
   const followers = [rateFigure(run), readout(run)];
   if (run.walls.lines.length > 0) {
     followers.push(wallPanels(byId("wall-panels"), run, nextFigure));
+    ratioPanel(byId("wall-panels"), run, nextFigure);
     wallTable(byId("wall-table"), run);
   } else
     byId("walls").remove();
+  const design = designSections(run, bounds, nextFigure);
+  followers.push(design.follow);
   const inkMaps = mapRows(run, bounds) || (() => {});
   followers.push(balanceFigures(run));
 
@@ -237,7 +240,7 @@ async function main() {
   const follow = time => followers.forEach(follower => follower(time));
   const flow = flowSection(run, bounds, follow);
   show = flow ? flow.controls.show : follow;
-  themes(() => { if (flow) flow.scene.draw(); inkMaps(); });
+  themes(() => { if (flow) flow.scene.draw(); design.ink(); inkMaps(); });
   show(+wish("time") || (run.movie ? run.movie.times[0] : run.summary.end_time_s || 0));
   document.body.dataset.ready = "yes";
   if (flow && wish("play") !== null)

@@ -40,6 +40,17 @@ function envelope(line) {
   });
 }
 
+// Rows of wall_envelope.csv on a line, by arc length; empty without the file.
+function envelopeRows(run, line) {
+  return run.wallEnvelope.filter(row => row.wall === line.name && row.side === line.side).sort((a, b) => a.arc_length_m - b.arc_length_m);
+}
+
+// Patch loads of EN 1991-4 on top of its symmetrical pressures.
+const patchReferences = [
+  ["en_1991_4_filling_normal_Pa", "en_1991_4_filling_patch_Pa", "filling and patch", "var(--c3)"],
+  ["en_1991_4_discharge_normal_Pa", "en_1991_4_discharge_patch_Pa", "discharge and patch", "var(--c4)"],
+];
+
 // The outward normals at the nodes of a line that goes away from the outlet.
 function outwardNormals(frame, side) {
   return frame.map((row, i) => {
@@ -65,6 +76,10 @@ function wallPanels(container, run, number) {
     const curve = (rows, column) => rows.map(row => point(row[column], row));
     const fixed = wallReferences.filter(([column]) => start.some(row => isFinite(row[column]) && row[column] > 0))
       .map(([column, name, colour, dash]) => ({ name, colour, dash, points: curve(start, column), width: 1.6 }));
+    const rows = envelopeRows(run, line);
+    for (const [column, patch, name, colour] of patchReferences)
+      if (rows.some(row => row[patch] > 0))
+        fixed.push({ name: `EN 1991-4, ${name}`, colour, dash: "1 3", points: rows.map(row => point(row[column] + row[patch], row)), width: 1.4 });
     const hasFlow = line.frames.length > 1;
     const seriesAt = time => [
       { name: "at rest", colour: "var(--rest)", points: curve(start, "normal_Pa"), width: 2.2 },
@@ -117,6 +132,25 @@ function wallForce(frame, column, run) {
     const length = Math.hypot(b.x_m - a.x_m, b.y_m - a.y_m);
     const weight = row => (run.isPlane ? 1 : 2 * Math.PI * Math.abs(row.x_m)) * (isFinite(row[column]) ? row[column] : 0);
     return length * (weight(a) + weight(b)) / 2;
+  });
+}
+
+// How much more than at rest walls bear in discharge, node by node.
+function ratioPanel(container, run, number) {
+  const lines = run.walls.lines.filter(line => !line.isOutlet)
+    .map(line => [line, envelopeRows(run, line).filter(row => isFinite(row.largest_over_filling))]).filter(([, rows]) => rows.length > 1);
+  if (lines.length === 0)
+    return;
+  const colours = d3.range(5).map(i => `var(--c${i + 1})`);
+  const panel = document.createElement("figure");
+  panel.className = "panel";
+  panel.innerHTML = `<h3>Largest over filling pressure</h3><div></div><figcaption><b>Figure ${number()}.</b> The largest pressure in discharge over that at rest, at each node. ` +
+    `EN 1991-4 has 1.15 on the walls of slender silos. Ratios are large where little is borne at rest.</figcaption>`;
+  container.append(panel);
+  plot(panel.children[1], {
+    x: { label: "distance along the wall from the outlet", unit: "m" }, y: { label: "ratio", unit: "", zero: true }, height: .62,
+    series: [...lines.map(([line, rows], i) => ({ name: line.label, colour: colours[i % 5], width: 1.8, points: rows.map(row => [row.arc_length_m, Math.min(row.largest_over_filling, 10)]) })),
+      { name: "1.15", colour: "var(--rest)", dash: "4 3", width: 1.3, points: d3.extent(lines.flatMap(([, rows]) => rows), row => row.arc_length_m).map(s => [s, 1.15]) }],
   });
 }
 

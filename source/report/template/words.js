@@ -66,6 +66,11 @@ function keyFigures(run) {
       add("discharge_time_s", "Emptied in", summary.discharge_time_s, "s", "99.9 % of what has left");
       add("residual_mass_kg", "Left for good", summary.residual_mass_kg, "kg" + perDepth, share(summary.residual_mass_kg));
     }
+  if (summary.kind_of_flow)
+    add("kind_of_flow", "Kind of flow", summary.kind_of_flow, "", summary.transition_height_m === null ? "all material moves" :
+      `material stands beside the wall up to ${shown(summary.transition_height_m)} m; ${shown(100 * summary.slipping_wall_share, 2)} % of the walls’ area slips`);
+  add("first_in_first_out_share", "Leaves in order", summary.first_in_first_out_share && 100 * summary.first_in_first_out_share, "%",
+    `of places above each other the lower one first; residence ${shown(summary.mean_residence_time_s)} ± ${shown(summary.residence_time_spread_s)} s`);
   const largest = largestPressure(run.walls.lines);
   if (largest)
     add("largest_wall_pressure_Pa", "Largest wall pressure", largest.value / 1000, "kPa",
@@ -74,7 +79,7 @@ function keyFigures(run) {
     add("stagnant_mass_kg", "Has not moved", summary.stagnant_mass_kg, "kg" + perDepth, share(summary.stagnant_mass_kg));
   add("mass_balance_error", "Mass balance", summary.mass_balance_error, "", "difference over the initial mass");
   return tiles.map(([key, title, value, unit, below]) =>
-    `<div><dt>${title}</dt><dd data-key="${key}" data-value="${value}">${shown(value, Math.abs(value) < 1e-3 ? 1 : 4)}<small>${unit}</small></dd><p>${below}</p></div>`).join("");
+    `<div><dt>${title}</dt><dd data-key="${key}" data-value="${value}">${typeof value === "string" ? escapeHtml(value) : shown(value, Math.abs(value) < 1e-3 ? 1 : 4)}<small>${unit}</small></dd><p>${below}</p></div>`).join("");
 }
 
 function plainTable(title, rows) {

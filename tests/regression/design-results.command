@@ -1,0 +1,1 @@
+-s "Output/Gauges=wall: 0.8 0.43, middle: 0.05 0.5"
