@@ -13,6 +13,8 @@ namespace Sandglass
 
     /// As much of the surface may be straightened.
     constexpr double longest_piece = 4.;
+    /// What ends sooner on a wall is a gap between material and wall.
+    constexpr double shortest_surface = 6.;
     /// At a free end this near the surface leaves the wall as it likes.
     constexpr double near_free_end = 1.;
 
@@ -53,6 +55,7 @@ namespace Sandglass
                     const double         side,
                     const MotionSetting &setting)
         : loop(loop)
+        , setting(setting)
         , wall(wall)
         , mark(loop.back().mark)
         , side(side)
@@ -65,7 +68,7 @@ namespace Sandglass
       bool
       turn(const double smallest_angle)
       {
-        if (is_near_free_end() ||
+        if (is_near_free_end() || is_gap() ||
             is_large_enough(derivative_on_curve(loop.front().curve, 0.),
                             smallest_angle))
           return false;
@@ -108,6 +111,21 @@ namespace Sandglass
                  contact.distance(wall.end) < near_free_end * h));
       }
 
+      /// Whether this is no surface that spans the silo.
+      bool
+      is_gap() const
+      {
+        double      length = 0.;
+        std::size_t i      = 0;
+        for (; i < loop.size() && loop[i].mark == TriangleMesh::free_surface;
+             ++i)
+          length += loop[i].curve[0].distance(loop[i].curve[1]);
+        const unsigned int end = loop[i % loop.size()].mark;
+        return end == mark ||
+               (!setting.walls[end].is_axis() && !wall.is_axis() &&
+                length < shortest_surface * h);
+      }
+
       /// Of the angles in the material and in the gap.
       bool
       is_large_enough(const Tensor<1, 2> &direction,
@@ -143,8 +161,9 @@ namespace Sandglass
         return true;
       }
 
-      BoundaryLoop       &loop;
-      const RigidWall    &wall;
+      BoundaryLoop        &loop;
+      const MotionSetting &setting;
+      const RigidWall     &wall;
       const unsigned int  mark;
       const double        side, h;
       const Point<2>      contact;

@@ -53,6 +53,7 @@ namespace Sandglass
     for (Patch &patch : patches)
       fit(patch, positions);
     find_bounds();
+    find_differences(quadrature);
   }
 
 
@@ -157,13 +158,37 @@ namespace Sandglass
 
 
 
-  bool
-  PatchRecovery::evaluate(const Location &location, double *values) const
+  void
+  PatchRecovery::find_differences(const Quadrature<2> &quadrature)
   {
-    const unsigned int cell     = location.cell;
-    const Point<2>    &r        = location.reference_point;
-    const Point<2>     position = position_in_cell(mesh, cell, r);
-    const auto         shares   = shape_values(1, r); // barycentric coordinates
+    differences = field;
+    std::vector<double> values(field.n_components);
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          blend(cell, quadrature.point(q), values.data());
+          for (unsigned int c = 0; c < field.n_components; ++c)
+            differences.at(cell * n_points + q)[c] -= values[c];
+        }
+    if (n_points == 3)
+      {
+        Eigen::Matrix3d at_points;
+        for (unsigned int q = 0; q < 3; ++q)
+          at_points.row(q) << 1., quadrature.point(q)[0],
+            quadrature.point(q)[1];
+        linear_shares = at_points.inverse();
+      }
+  }
+
+
+
+  void
+  PatchRecovery::blend(const unsigned int cell,
+                       const Point<2>    &r,
+                       double            *values) const
+  {
+    const Point<2> position = position_in_cell(mesh, cell, r);
+    const auto     shares   = shape_values(1, r); // barycentric coordinates
 
     std::fill_n(values, field.n_components, 0.);
     for (unsigned int v = 0; v < 3; ++v)
@@ -173,6 +198,23 @@ namespace Sandglass
         for (unsigned int c = 0; c < field.n_components; ++c)
           values[c] += shares[v] * terms.dot(patch.coefficients.col(c));
       }
+  }
+
+
+
+  bool
+  PatchRecovery::evaluate(const Location &location, double *values) const
+  {
+    const unsigned int cell = location.cell;
+    const Point<2>    &r    = location.reference_point;
+    blend(cell, r, values);
+    Eigen::RowVector3d shares = Eigen::RowVector3d::Ones();
+    if (n_points == 3)
+      shares = Eigen::RowVector3d(1., r[0], r[1]) * linear_shares;
+    for (unsigned int q = 0; q < n_points && (n_points == 1 || n_points == 3);
+         ++q)
+      for (unsigned int c = 0; c < field.n_components; ++c)
+        values[c] += shares[q] * differences.at(cell * n_points + q)[c];
 
     bool is_limited = false;
     for (unsigned int c = 0; c < field.n_components; ++c)

@@ -27,6 +27,10 @@ namespace Sandglass
    * projection to linear elements would keep linear ones only, and couple all
    * cells.
    *
+   * What the polynomials differ by from the field at a cell's own points is
+   * added as a linear function, so that material that is meshed anew without
+   * having moved keeps its stress, however often that is done.
+   *
    * The values are then kept within the bounds of the field at the quadrature
    * points of the cell and of those that share a corner with it, widened by a
    * margin. The mesh has to outlive this.
@@ -77,6 +81,14 @@ namespace Sandglass
     fit(Patch &patch, const std::vector<Point<2>> &positions) const;
     void
     find_bounds();
+    /// The polynomials of a cell's corners, blended.
+    void
+    blend(const unsigned int cell,
+          const Point<2>    &reference_point,
+          double            *values) const;
+    /// At each quadrature point, the field less its polynomials.
+    void
+    find_differences(const Quadrature<2> &quadrature);
 
     const TriangleMesh &mesh;
     const MeshField     field;
@@ -87,6 +99,10 @@ namespace Sandglass
     /// Of each cell's corners.
     std::vector<std::array<unsigned int, 3>> patch_at;
     MeshField                                lower, upper; ///< of each cell
+    MeshField                                differences;
+    /// Of a cell's three quadrature points: the shares that each has in linear
+    /// functions, by 1, x and y of the reference point.
+    Eigen::Matrix3d linear_shares;
   };
 } // namespace Sandglass
 
