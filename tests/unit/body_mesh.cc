@@ -14,13 +14,19 @@
 #include <cmath>
 #include <map>
 
-#include "stage_fixture.h"
-
 using namespace Sandglass;
 
 namespace
 {
   using Silo = SceneParameters;
+
+  struct ClearedParameters
+  {
+    ClearedParameters()
+    {
+      dealii::ParameterAcceptor::clear();
+    }
+  };
 
   /// A silo 1 m wide with an outlet 0.3 m wide.
   struct Kind
@@ -93,8 +99,8 @@ namespace
       set(silo, std::get<0>(GetParam()), std::get<1>(GetParam()));
     }
 
-    StageFixture::ClearedParameters cleared;
-    Silo                            silo;
+    ClearedParameters cleared;
+    Silo              silo;
   };
 
   const Kind box{"Box",
@@ -246,8 +252,8 @@ namespace
   class BothCells : public testing::TestWithParam<CellType>
   {
   protected:
-    StageFixture::ClearedParameters cleared;
-    Silo                            silo;
+    ClearedParameters cleared;
+    Silo              silo;
   };
 } // namespace
 

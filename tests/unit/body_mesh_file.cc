@@ -10,13 +10,19 @@
 #include <functional>
 #include <map>
 
-#include "stage_fixture.h"
-
 using namespace Sandglass;
 
 namespace
 {
   using Silo = SceneParameters;
+
+  struct ClearedParameters
+  {
+    ClearedParameters()
+    {
+      dealii::ParameterAcceptor::clear();
+    }
+  };
 
   /// A quarter of a box silo, which tests change before they write and read it
   /// in Gmsh's format 2.2.
@@ -27,8 +33,8 @@ namespace
 
     explicit BodyFile(const CellType cell_type)
     {
-      StageFixture::ClearedParameters cleared;
-      Silo                            silo;
+      ClearedParameters cleared;
+      Silo              silo;
       silo.formulation       = Formulation::three_dimensions;
       silo.cell_type         = cell_type;
       silo.outlet_shape      = Silo::OutletShape::rectangle;
@@ -95,8 +101,8 @@ namespace
     Mesh<3>
     read(std::vector<std::string> *warnings = nullptr) const
     {
-      StageFixture::ClearedParameters cleared;
-      Silo                            scene;
+      ClearedParameters cleared;
+      Silo              scene;
       scene.formulation = Formulation::three_dimensions;
       scene.cell_type   = mesh.cell_type;
       scene.shape       = Silo::Shape::mesh_file;
