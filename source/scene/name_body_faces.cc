@@ -52,8 +52,12 @@ namespace Sandglass
         return BoundaryRole::fall_side;
       if (upper[1] == 0.)
         return BoundaryRole::floor;
-      return lower[1] >= body.hopper_height ? BoundaryRole::wall :
-                                              BoundaryRole::hopper;
+      // The upright ends of a wedge are walls, too.
+      const bool is_upright = upper[0] - lower[0] < body.rounding() ||
+                              upper[2] - lower[2] < body.rounding();
+      return lower[1] >= body.hopper_height || is_upright ?
+               BoundaryRole::wall :
+               BoundaryRole::hopper;
     }
   } // namespace
 
