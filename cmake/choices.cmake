@@ -8,12 +8,15 @@
 # include/sandglass/continuum has in a file of its name.
 set(choices_of_kinematics
   "2 PlaneStrain"
-  "2 Axisymmetric")
+  "2 Axisymmetric"
+  "3 Solid")
 
 # Shapes of cells: dimension and value of CellType.
 set(choices_of_cell_types
   "2 triangle"
-  "2 quadrilateral")
+  "2 quadrilateral"
+  "3 tetrahedron"
+  "3 hexahedron")
 
 # Constitutive laws that Material/Model offers: the class, which
 # include/sandglass/material has in a file of its name.
@@ -27,7 +30,8 @@ set(choices_of_laws
   Lade
   Umat)
 
-# Those of them that Material/Stress rate = Green-Naghdi offers as well.
+# Those of them that Material/Stress rate = Green-Naghdi offers as well, in two
+# dimensions.
 set(choices_of_laws_with_green_naghdi
   DruckerPrager
   MatsuokaNakai)
@@ -47,11 +51,14 @@ foreach(law ${choices_of_laws})
   sandglass_file_of(file ${law})
   string(APPEND choices_includes "#include <sandglass/material/${file}.h>\n")
 endforeach()
+set(laws_of_3 ${choices_of_laws})
 list(TRANSFORM choices_of_laws_with_green_naghdi REPLACE "(.+)" "GreenNaghdi<\\1>")
 list(APPEND choices_of_laws ${choices_of_laws_with_green_naghdi})
-list(TRANSFORM choices_of_laws REPLACE "(.+)" "INSTANTIATE(\\1)"
-  OUTPUT_VARIABLE laws_to_instantiate)
-list(JOIN laws_to_instantiate " " laws_to_instantiate)
+set(laws_of_2 ${choices_of_laws})
+foreach(dimension 2 3)
+  list(TRANSFORM laws_of_${dimension} REPLACE "(.+)" "INSTANTIATE(\\1)")
+  list(JOIN laws_of_${dimension} " " laws_of_${dimension})
+endforeach()
 set(choices_dimensions "")
 set(kinematics_list "")
 set(cell_type_list "")
@@ -72,6 +79,7 @@ foreach(entry ${choices_of_kinematics})
     list(GET cells 0 cells_dimension)
     list(GET cells 1 cell_type)
     if(dimension EQUAL cells_dimension)
+      set(laws_to_instantiate ${laws_of_${dimension}})
       set(source ${PROJECT_BINARY_DIR}/source/particle_stage_${file}_${cell_type}.cc)
       configure_file(${CMAKE_CURRENT_LIST_DIR}/particle_stage.cc.in ${source} @ONLY)
       list(APPEND choices_sources ${source})

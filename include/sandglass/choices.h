@@ -58,6 +58,12 @@ namespace Sandglass
   constexpr StressRate stress_rate_of<GreenNaghdi<Law>> =
     StressRate::green_naghdi;
 
+  /// Whether a law is for grids of this dimension; Green and Naghdi's rate is
+  /// for the plane only.
+  template <int dim, typename Law>
+  constexpr bool is_law_in =
+    dim == 2 || stress_rate_of<Law> == StressRate::jaumann;
+
   /// Call `function(TypeTag<Law>())` for the law that the constants ask for.
   /// @return whether there is one.
   template <typename Function>
@@ -72,6 +78,22 @@ namespace Sandglass
                stress_rate_of<Law> == constants.stress_rate;
       },
       function);
+  }
+
+  /// The same for a law in this dimension.
+  template <int dim, typename Function>
+  bool
+  choose_law_in(const MaterialConstants &constants, const Function &function)
+  {
+    bool is_found = false;
+    choose_law(constants, [&](const auto law) {
+      if constexpr (is_law_in<dim, typename decltype(law)::Type>)
+        {
+          function(law);
+          is_found = true;
+        }
+    });
+    return is_found;
   }
 
   /// Volume that a unit of the grid stands for at a position, for who knows the

@@ -1,7 +1,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/choices.h>
-#include <sandglass/output/beverloo.h>
 #include <sandglass/output/history.h>
 #include <sandglass/output/silo_measures.h>
 
@@ -52,12 +51,11 @@ namespace Sandglass
                      FlowRateRow())
     , flow_rate(parameters.flow_rate_window)
   {
+    const SiloMeasures<dim> measures(scene);
     for (unsigned int i = 0; i < beverloo.size(); ++i)
-      beverloo[i] = beverloo_flow_rate(scene.formulation,
-                                       material.density,
-                                       scene.gravity.norm(),
-                                       SiloMeasures<dim>(scene).outlet_width,
-                                       0.1 * i);
+      beverloo[i] = measures.beverloo_flow_rate(material.density,
+                                                scene.gravity.norm(),
+                                                0.1 * i);
   }
 
 

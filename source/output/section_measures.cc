@@ -1,3 +1,4 @@
+#include <sandglass/output/beverloo.h>
 #include <sandglass/output/silo_measures.h>
 
 #include <algorithm>
@@ -64,6 +65,7 @@ namespace Sandglass
                                   [](const Mesh<2>::Face &edge) {
                                     return is_open(edge.role);
                                   }))
+    , has_slot(scene.formulation == Formulation::plane_strain)
   {
     const Extent outlet(scene.mesh, BoundaryRole::outlet);
     const Extent wall(scene.mesh, BoundaryRole::wall);
@@ -77,5 +79,21 @@ namespace Sandglass
           bottom_centre[0] = extent->middle();
           break;
         }
+  }
+
+
+
+  template <>
+  double
+  SiloMeasures<2>::beverloo_flow_rate(const double density,
+                                      const double gravity,
+                                      const double grain_size) const
+  {
+    return Sandglass::beverloo_flow_rate(has_slot ? Formulation::plane_strain :
+                                                    Formulation::axisymmetric,
+                                         density,
+                                         gravity,
+                                         outlet_width,
+                                         grain_size);
   }
 } // namespace Sandglass

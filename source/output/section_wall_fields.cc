@@ -181,27 +181,36 @@ namespace Sandglass
 
 
 
+  void
+  add_wall_points(VtuPiece &piece, const std::vector<WallTraction> &tractions)
+  {
+    for (const WallTraction &traction : tractions)
+      for (unsigned int d = 0; d < 3; ++d)
+        piece.points.push_back(traction.record.position[d]);
+    for (const WallQuantity &quantity : wall_table)
+      if (quantity.field != nullptr)
+        piece.point_fields.push_back(make_field(quantity, tractions));
+  }
+
+
+
   VtuPiece
   wall_fields(const std::vector<WallTraction> &tractions)
   {
     VtuPiece piece;
     piece.points_per_cell = 2;
     piece.cell_dimension  = 1;
-    for (unsigned int i = 0; i < tractions.size(); ++i)
+    for (unsigned int i = 1; i < tractions.size(); ++i)
       {
         const WallTraction &traction = tractions[i];
-        for (unsigned int d = 0; d < 3; ++d)
-          piece.points.push_back(traction.record.position[d]);
         // At a bend a line goes on from the node's second record.
-        if (i > 0 && traction.record.wall == tractions[i - 1].record.wall &&
+        if (traction.record.wall == tractions[i - 1].record.wall &&
             traction.record.vertex != tractions[i - 1].record.vertex &&
             traction.place.line == tractions[i - 1].place.line)
           for (const auto end : {i - 1, i})
             piece.cells.push_back(end);
       }
-    for (const WallQuantity &quantity : wall_table)
-      if (quantity.field != nullptr)
-        piece.point_fields.push_back(make_field(quantity, tractions));
+    add_wall_points(piece, tractions);
     return piece;
   }
 } // namespace Sandglass

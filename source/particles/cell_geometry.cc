@@ -122,4 +122,6 @@ namespace Sandglass
 
   template class CellGeometry<CellType::triangle>;
   template class CellGeometry<CellType::quadrilateral>;
+  template class CellGeometry<CellType::tetrahedron>;
+  template class CellGeometry<CellType::hexahedron>;
 } // namespace Sandglass

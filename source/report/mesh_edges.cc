@@ -2,6 +2,7 @@
 
 #include <vtkCell.h>
 
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -41,17 +42,31 @@ namespace Sandglass
               result.places.push_back(entry->first);
             vertices.push_back(entry->second);
           }
+        const auto add = [&](vtkCell &cell) {
+          for (int e = 0; e < cell.GetNumberOfEdges(); ++e)
+            {
+              vtkCell *const edge = cell.GetEdge(e);
+              Edge           ends(vertices[edge->GetPointId(0)],
+                        vertices[edge->GetPointId(1)]);
+              if (ends.first > ends.second)
+                std::swap(ends.first, ends.second);
+              ++result.n_cells[ends];
+            }
+        };
+        const double rounding = 1e-9 * mesh.GetLength();
         for (vtkIdType c = 0; c < mesh.GetNumberOfCells(); ++c)
           {
             vtkCell *const cell = mesh.GetCell(c);
-            for (int e = 0; e < cell->GetNumberOfEdges(); ++e)
+            if (cell->GetCellDimension() < 3)
+              add(*cell);
+            for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
               {
-                vtkCell *const edge = cell->GetEdge(e);
-                Edge           ends(vertices[edge->GetPointId(0)],
-                          vertices[edge->GetPointId(1)]);
-                if (ends.first > ends.second)
-                  std::swap(ends.first, ends.second);
-                ++result.n_cells[ends];
+                vtkCell *const face = cell->GetFace(f);
+                double         bounds[6];
+                face->GetBounds(bounds);
+                if (std::abs(bounds[4]) < rounding &&
+                    std::abs(bounds[5]) < rounding)
+                  add(*face);
               }
           }
         return result;

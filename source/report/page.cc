@@ -77,11 +77,16 @@ namespace Sandglass
         for (const auto &[name, text] : run.texts)
           data += data_element(name, pack(text));
 
-        const auto prm = run.texts.find("parameters.prm");
-        const bool is_axisymmetric =
-          prm != run.texts.end() &&
-          parameter(prm->second, "Scene", "Formulation") == "axisymmetric";
-        const ParticleFrames frames(run.particles, is_axisymmetric);
+        const auto        prm = run.texts.find("parameters.prm");
+        const std::string formulation =
+          prm == run.texts.end() ?
+            "" :
+            parameter(prm->second, "Scene", "Formulation");
+        using Space       = ParticleFrames::Space;
+        const Space space = formulation == "axisymmetric"     ? Space::round :
+                            formulation == "three dimensions" ? Space::body :
+                                                                Space::plane;
+        const ParticleFrames frames(run.particles, space);
         data += data_element("particles.json", pack(frames.description()));
         data += data_element("particles.bin", pack(frames.bytes()));
         const auto residence = run.path / "residence.vtu";

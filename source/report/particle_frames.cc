@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 #include <sstream>
 
 namespace Sandglass
@@ -48,6 +50,43 @@ namespace Sandglass
 
 
 
+      /// Thickness of the cut in spacings of the particles.
+      constexpr double spacings_in_cut = 1.5;
+
+
+
+      /// A body's particles next to the middle plane z = 0.
+      struct Cut
+      {
+        double                 thickness = 0;
+        std::set<std::int64_t> ids;
+
+        Cut(vtkUnstructuredGrid &grid, const std::string &file)
+        {
+          auto              &id      = point_field(grid, "id", 1, file);
+          auto              &mass    = point_field(grid, "mass", 1, file);
+          auto              &density = point_field(grid, "density", 1, file);
+          const auto         n       = grid.GetNumberOfPoints();
+          std::vector<float> spacings;
+          double             least_z = 0;
+          for (vtkIdType i = 0; i < n; ++i)
+            {
+              spacings.push_back(std::cbrt(mass.GetComponent(i, 0) /
+                                           density.GetComponent(i, 0)));
+              least_z = std::min(least_z, grid.GetPoint(i)[2]);
+            }
+          thickness = spacings_in_cut * quantile(spacings, 0.5);
+          // To one side where a symmetry plane ends the grid there.
+          const double begin = least_z < -thickness ? -thickness / 2 : 0;
+          for (vtkIdType i = 0; i < n; ++i)
+            if (const double z = grid.GetPoint(i)[2] - begin;
+                z >= 0 && z < thickness)
+              ids.insert(id.GetComponent(i, 0));
+        }
+      };
+
+
+
       unsigned int
       clamped(const double code, const unsigned int largest)
       {
@@ -70,18 +109,24 @@ namespace Sandglass
 
 
     ParticleFrames::ParticleFrames(const std::vector<FieldFile> &all_files,
-                                   const bool is_axisymmetric)
+                                   const Space                   space)
       : files(all_files)
       , n_frames_of_run(files.size())
       , n_particles_of_run(0)
+      , n_particles_shown(0)
     {
       if (files.empty())
         return;
-      n_particles_of_run = read_fields(files.front().file)->GetNumberOfPoints();
+      const auto         first = read_fields(files.front().file);
+      std::optional<Cut> cut;
+      if (space == Space::body)
+        cut.emplace(*first, files.front().file);
+      n_particles_of_run = first->GetNumberOfPoints();
+      n_particles_shown  = cut ? cut->ids.size() : n_particles_of_run;
       // Of so many particles every second, third … only.
       const std::int64_t every =
-        1 + n_particles_of_run * least_frames / largest_count;
-      choose_frames(n_particles_of_run / every);
+        1 + n_particles_shown * least_frames / largest_count;
+      choose_frames(n_particles_shown / every);
 
       double filled_density = 1;
       for (const auto &[time, file] : files)
@@ -100,13 +145,15 @@ namespace Sandglass
           for (vtkIdType i = 0; i < n; ++i)
             {
               const auto number = std::int64_t(id.GetComponent(i, 0));
-              if (number % every != 0)
+              if (number % every != 0 || (cut && cut->ids.count(number) == 0))
                 continue;
               const double *const x = grid->GetPoint(i);
               // Not that of loose material in its fall.
               double area = mass.GetComponent(i, 0) / filled_density * every;
-              if (is_axisymmetric)
+              if (space == Space::round)
                 area /= 2 * pi * std::max(std::abs(x[0]), 1e-9);
+              else if (cut)
+                area /= cut->thickness;
               frame.push_back({number,
                                float(x[0]),
                                float(x[1]),
@@ -176,6 +223,7 @@ namespace Sandglass
       json.precision(9);
       json << "{\"particles\": " << slots.size()
            << ", \"of_particles\": " << n_particles_of_run
+           << ", \"in_cut\": " << n_particles_shown
            << ", \"of_frames\": " << n_frames_of_run << ", \"times\": [";
       for (std::size_t f = 0; f < files.size(); ++f)
         json << (f == 0 ? "" : ", ") << files[f].time;

@@ -1,6 +1,7 @@
 #include <sandglass/choices.h>
 #include <sandglass/element_test/element_test_results.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
+#include <sandglass/output/body_wall_tractions.h>
 #include <sandglass/output/design_results.h>
 #include <sandglass/output/grid_fields.h>
 #include <sandglass/output/history.h>
@@ -133,6 +134,11 @@ namespace Sandglass
                 "pressures of the run so far, beside those at rest and those "
                 "of EN 1991-4. Written anew every `Output/Interval`.") +
            columns("Column", wall_envelope_table) +
+           file("wall_traction.csv in three dimensions",
+                "A row for each band of a wall, as high as a cell (on floors a "
+                "ring around the outlet), every `Output/Interval`; walls.pvd "
+                "then has the fields above at the nodes of the walls' faces.") +
+           columns("Column", wall_band_table) +
            file("static.vtu",
                 "The state at rest in the filled part of the mesh; beside the "
                 "cells' means below, `displacement` (m) at the nodes.") +

@@ -1,4 +1,5 @@
 #include <sandglass/scene/automatic_mesh.h>
+#include <sandglass/scene/silo_body.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,15 @@ namespace Sandglass
     constexpr double headroom_over_half_width = 0.2;
     /// Enough for cells that particles of other cells have come to.
     constexpr unsigned int particles_per_automatic_cell = 9;
+
+    /// In three dimensions: cells across the outlet at its lip, of a slot and
+    /// of other outlets;
+    constexpr double cells_across_slot_in_space  = 12.;
+    constexpr double cells_across_round_in_space = 16.;
+    /// cells far from the outlet, across half of the silo,
+    constexpr double cells_across_half_width_in_space = 8.;
+    /// Cubes' and tetrahedra's eighths.
+    constexpr unsigned int particles_per_automatic_cell_in_space = 8;
 
 
 
@@ -112,6 +122,34 @@ namespace Sandglass
                                          rounded(at_lip);
       return resolution;
     }
+    /// Of tetrahedra and hexahedra, which both can be smaller at the lip.
+    Resolution
+    resolution_in_space(const SceneParameters &silo)
+    {
+      const SiloBody body(silo);
+      const double   half_width =
+        std::min(body.wall.half_width, body.wall.half_depth);
+      const double outlet_width =
+        2. * (body.outlet_is_slot ?
+                body.outlet.half_width :
+                std::min(body.outlet.half_width, body.outlet.half_depth));
+      const double elsewhere =
+        std::min(half_width / cells_across_half_width_in_space,
+                 shortest_wall(silo) / triangles_along_wall);
+      const double at_lip =
+        std::min(elsewhere,
+                 outlet_width / (body.outlet_is_slot ?
+                                   cells_across_slot_in_space :
+                                   cells_across_round_in_space));
+      Resolution   resolution;
+      const double given_at_lip =
+        silo.outlet_element_size.value_or(rounded(at_lip));
+      resolution.outlet_element_size = given_at_lip;
+      resolution.element_size        = given_at_lip > 0. ?
+                                         std::max(rounded(elsewhere), given_at_lip) :
+                                         rounded(at_lip);
+      return resolution;
+    }
   } // namespace
 
 
@@ -128,6 +166,13 @@ namespace Sandglass
   automatic_resolution(const SceneParameters &silo)
   {
     Resolution resolution;
+    if (silo.formulation == Formulation::three_dimensions)
+      {
+        if (silo.shape == SceneParameters::Shape::silo)
+          resolution = resolution_in_space(silo);
+        resolution.particles_per_cell = particles_per_automatic_cell_in_space;
+        return resolution;
+      }
     if (silo.shape == SceneParameters::Shape::silo)
       {
         if (silo.cell_type == CellType::triangle)

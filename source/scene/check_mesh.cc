@@ -1,8 +1,10 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
 #include <sandglass/scene/check_mesh.h>
+#include <sandglass/walls/face_geometry.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -31,12 +33,23 @@ namespace Sandglass
     if (parameters.formulation == Formulation::axisymmetric)
       refuse("allowed is 0 for x with Formulation = axisymmetric, since "
              "gravity beside the axis is not symmetric about it");
-    if (std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto &face) {
-          return face.role == BoundaryRole::axis;
-        }))
+    const bool crosses_plane =
+      std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const auto &face) {
+        if (face.role != BoundaryRole::axis)
+          return false;
+        std::array<Point<dim>, dim> corners;
+        for (unsigned int v = 0; v < dim; ++v)
+          corners[v] = mesh.vertices[face.vertices[v]];
+        return std::abs(unit_normal<dim>(corners) * sideways) >
+               rounding * gravity.norm();
+      });
+    if (crosses_plane && dim == 2)
       refuse("allowed is 0 for x with half a section, since gravity across its "
              "symmetry plane is not symmetric; set Symmetry = false, or give "
              "a mesh of the whole section");
+    if (crosses_plane)
+      refuse("gravity crosses a symmetry plane, which is not symmetric; set "
+             "Symmetry planes = none, or give a mesh of the whole silo");
   }
 
 

@@ -4,60 +4,28 @@
 #include <sandglass/choices.h>
 #include <sandglass/scene/check_mesh.h>
 #include <sandglass/scene/gmsh_mesh.h>
+#include <sandglass/scene/gmsh_options.h>
+#include <sandglass/scene/headroom.h>
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/scene/merge_vertices.h>
 #include <sandglass/scene/mesh_cells.h>
+#include <sandglass/scene/mesh_outlet.h>
 #include <sandglass/scene/name_faces.h>
 #include <sandglass/scene/place_mesh.h>
-#include <sandglass/scene/section_headroom.h>
-#include <sandglass/scene/section_outlet.h>
 #include <sandglass/scene/silo_section.h>
 
 #include <gmsh.h>
 
-#include <algorithm>
 #include <string>
 
 namespace Sandglass
 {
   namespace
   {
-    void
-    generate(const SceneParameters &parameters, const int dimension)
-    {
-      const int algorithm =
-        parameters.mesh_algorithm ==
-            SceneParameters::MeshAlgorithm::frontal_delaunay ?
-          6 :
-        parameters.mesh_algorithm == SceneParameters::MeshAlgorithm::delaunay ?
-          5 :
-          1;
-      gmsh::option::setNumber("Mesh.Algorithm", algorithm);
-      gmsh::option::setNumber("Mesh.RandomSeed", parameters.mesh_seed);
-      gmsh::model::mesh::generate(dimension);
-    }
-
-
-
     [[noreturn]] void
     refuse_file(const SceneParameters &parameters, const std::string &what)
     {
       throw InputError("Scene", "Mesh file", parameters.mesh_file, what);
-    }
-
-
-
-    /// Close the outlet of a mesh.
-    template <int dim>
-    void
-    leave_out_fall_region(Mesh<dim> &mesh)
-    {
-      mesh.cells.erase(std::remove_if(mesh.cells.begin(),
-                                      mesh.cells.end(),
-                                      [](const auto &cell) {
-                                        return !cell.is_filled;
-                                      }),
-                       mesh.cells.end());
     }
 
 
@@ -99,7 +67,8 @@ namespace Sandglass
       {
         call_gmsh([&parameters]() {
           add_silo_section(parameters);
-          generate(parameters, 2);
+          set_gmsh_options(parameters);
+          gmsh::model::mesh::generate(2);
         });
       }
     catch (const std::exception &error)

@@ -233,9 +233,24 @@ namespace Sandglass
 
 
 
+  template <int dim>
+  void
+  leave_out_fall_region(Mesh<dim> &mesh)
+  {
+    mesh.cells.erase(std::remove_if(mesh.cells.begin(),
+                                    mesh.cells.end(),
+                                    [](const auto &cell) {
+                                      return !cell.is_filled;
+                                    }),
+                     mesh.cells.end());
+  }
+
+
+
 #define INSTANTIATE(dim)                                                  \
   template Mesh<dim>   take_cells<dim>(const GmshMesh &, const CellType); \
-  template std::string place<dim>(const dealii::Point<dim> &);
+  template std::string place<dim>(const dealii::Point<dim> &);            \
+  template void        leave_out_fall_region<dim>(Mesh<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/scene/hanging_vertex.h>
 #include <sandglass/scene/make_walls.h>
 #include <sandglass/scene/mesh_cells.h>
 #include <sandglass/scene/mesh_faces.h>
@@ -85,6 +86,9 @@ namespace Sandglass
       using Faces = std::vector<Key>;
       using Names = std::map<Key, std::set<std::string>>;
 
+      /// What messages call faces.
+      const std::string kind = dim == 2 ? "edges" : "faces";
+
       /// Throw an error about faces: how many, and where the first is.
       [[noreturn]] void
       refuse(const std::string &what,
@@ -94,9 +98,9 @@ namespace Sandglass
         std::string vertices;
         for (unsigned int v = 0; v < mesh.vertices_per_face(); ++v)
           vertices += (v > 0 ? " to " : "") + place(mesh.vertices[faces[0][v]]);
-        throw InputError(what + " (" + std::to_string(faces.size()) +
-                         (dim == 2 ? " edges" : " faces") + ", one from " +
-                         vertices + "); allowed are " + allowed);
+        throw InputError(what + " (" + std::to_string(faces.size()) + ' ' +
+                         kind + ", one from " + vertices + "); allowed are " +
+                         allowed);
       }
 
       bool
@@ -192,12 +196,14 @@ namespace Sandglass
             refuse((has_fall_region ? "" :
                                       "the mesh has no cells in a physical "
                                       "group named 'fall_region', and so ") +
-                     ("the physical group '" + name + "' has edges of no cell"),
+                     ("the physical group '" + name + "' has " + kind +
+                      " of no cell"),
                    faces,
-                   "edges of the cells of 'material' and 'fall_region' "
-                   "(without the latter Scene/Outlet must be closed)");
+                   kind + " of the cells of 'material' and 'fall_region' "
+                          "(without the latter Scene/Outlet must be closed)");
         for (const auto &[names, faces] : of_several_names)
-          refuse("the same edges belong to several physical groups: " + names,
+          refuse("the same " + kind +
+                   " belong to several physical groups: " + names,
                  faces,
                  allowed_names);
         for (const auto &[name, faces] : inside)
@@ -207,8 +213,8 @@ namespace Sandglass
                  name == name_of(BoundaryRole::outlet) ?
                    "outlets with 'material' on one side and 'fall_region' on "
                    "the other" :
-                   "edges of the mesh's boundary (a wall inside the silo needs "
-                   "a thickness, and an axis ends the section)");
+                   kind + " of the mesh's boundary (a wall inside the silo "
+                          "needs a thickness, and an axis ends the section)");
         if (!cut_outlet.empty())
           refuse("the physical group 'outlet' has no cells of 'fall_region' on "
                  "its other side",
@@ -237,15 +243,11 @@ namespace Sandglass
                    list_of(all_names));
         if (!of_boundary.empty())
           refuse("the mesh's boundary has no name" +
-                   hanging_vertex(of_boundary),
+                   hanging_vertex(mesh, of_boundary),
                  of_boundary,
                  allowed_names +
                    ("; the mesh's names are " + list_of(all_names)));
       }
-
-      /// What to say where a vertex lies on such a face, between its ends.
-      std::string
-      hanging_vertex(Faces &faces) const;
 
       Mesh<dim>                &mesh;
       const bool                outlet_is_open;
@@ -258,37 +260,6 @@ namespace Sandglass
       std::map<std::string, Faces> without_cell, of_several_names, inside;
       Faces                        cut_outlet;
     };
-
-
-
-    /// A hanging node splits one cell's edge only: the first such face is moved
-    /// to the front.
-    template <int dim>
-    std::string
-    FaceNamer<dim>::hanging_vertex(Faces &faces) const
-    {
-      std::set<unsigned int> vertices;
-      for (const Key &face : faces)
-        vertices.insert(face.begin(), face.begin() + mesh.vertices_per_face());
-      for (Key &face : faces)
-        for (const unsigned int vertex : vertices)
-          {
-            const auto      &x        = mesh.vertices[vertex];
-            const auto      &a        = mesh.vertices[face[0]];
-            const auto       along    = mesh.vertices[face[1]] - a;
-            const double     share    = (x - a) * along / along.norm_square();
-            const double     farness  = (x - a - share * along).norm();
-            constexpr double rounding = 1e-6;
-            if (dim == 2 && share > rounding && share < 1. - rounding &&
-                farness < rounding * along.norm())
-              {
-                std::swap(face, faces.front());
-                return ", where the vertex at " + place(x) +
-                       " hangs on the edge of another cell";
-              }
-          }
-      return "";
-    }
   } // namespace
 
 

@@ -12,6 +12,47 @@
 
 namespace Sandglass
 {
+  namespace
+  {
+    /// Whether a face of the axis is normal to this direction.
+    template <int dim>
+    bool
+    has_symmetry_plane(const Mesh<dim> &mesh, const unsigned int direction)
+    {
+      if constexpr (dim == 2)
+        return std::any_of(mesh.faces.begin(),
+                           mesh.faces.end(),
+                           [](const auto &edge) {
+                             return edge.role == BoundaryRole::axis;
+                           });
+      constexpr double rounding = 1e-8;
+      for (const auto &face : mesh.faces)
+        {
+          if (face.role != BoundaryRole::axis)
+            continue;
+          double extent = 0., largest_extent = 0.;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              double lower = mesh.vertices[face.vertices[0]][d], upper = lower;
+              for (unsigned int v = 1; v < mesh.vertices_per_face(); ++v)
+                {
+                  const double x = mesh.vertices[face.vertices[v]][d];
+                  lower          = std::min(lower, x);
+                  upper          = std::max(upper, x);
+                }
+              largest_extent = std::max(largest_extent, upper - lower);
+              if (d == direction)
+                extent = upper - lower;
+            }
+          if (extent <= rounding * largest_extent)
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Scene<dim>::Scene(const Mesh<dim>                 &mesh,
                     const WallParameters            &walls,
@@ -63,12 +104,11 @@ namespace Sandglass
             fill_top       = std::max(fill_top, y);
           }
 
-    const bool has_axis =
-      std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto &edge) {
-        return edge.role == BoundaryRole::axis;
-      });
-    symmetry_factor =
-      formulation == Formulation::plane_strain && has_axis ? 2. : 1.;
+    symmetry_factor = 1.;
+    if (formulation != Formulation::axisymmetric)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (d != 1 && has_symmetry_plane(mesh, d))
+          symmetry_factor *= 2.;
   }
 
 

@@ -91,12 +91,16 @@ namespace Sandglass
   void
   SceneParameters::check() const
   {
-    if (partitioner == Partitioner::p4est && cell_type == CellType::triangle)
+    check_body();
+    if (partitioner == Partitioner::p4est && is_simplex(cell_type))
       throw InputError("Scene",
                        "Partitioner",
                        "p4est",
-                       "allowed is METIS with Cell type = triangle; p4est "
-                       "knows quadrilaterals only");
+                       cell_type == CellType::triangle ?
+                         "allowed is METIS with Cell type = triangle; p4est "
+                         "knows quadrilaterals only" :
+                         "allowed is METIS with Cell type = tetrahedron; p4est "
+                         "knows hexahedra only");
     if (shape == Shape::mesh_file)
       {
         if (mesh_file.empty())
@@ -114,7 +118,8 @@ namespace Sandglass
                            "directory");
         return;
       }
-    check_symmetry();
+    if (formulation != Formulation::three_dimensions)
+      check_symmetry();
     check_openings(*this);
     check_element_size();
   }

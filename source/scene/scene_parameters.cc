@@ -14,9 +14,11 @@ namespace Sandglass
       "Formulation",
       formulation,
       {{"plane strain", Formulation::plane_strain},
-       {"axisymmetric", Formulation::axisymmetric}},
+       {"axisymmetric", Formulation::axisymmetric},
+       {"three dimensions", Formulation::three_dimensions}},
       "How the section extends to three dimensions: along z, with all results "
-      "per metre of depth, or turned about the axis x = 0.");
+      "per metre of depth, or turned about the axis x = 0; or three dimensions "
+      "themselves, y upwards.");
     add_selection<Shape>(
       *this,
       "Shape",
@@ -31,15 +33,18 @@ namespace Sandglass
              "Mesh in Gmsh's format, for Shape = mesh file. Physical lines "
              "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top, "
              "and further walls that Walls/Friction angles names; "
-             "physical surfaces material and fall_region. It is moved so "
-             "that the axis is at x = 0 and the outlet level at y = 0.");
+             "physical surfaces material and fall_region; in three dimensions, "
+             "surfaces and volumes, and axis names the symmetry planes. It is "
+             "moved so that axis or symmetry planes are at x = 0 and z = 0 and "
+             "the outlet level at y = 0.");
     add_number(
       *this,
       "Half width",
       half_width,
       Bounds::greater_than(0.),
       "m",
-      "Half width (plane strain) or radius (axisymmetric) of the silo.");
+      "Half width (plane strain), radius (axisymmetric, or Cross section = "
+      "circle), or half length along x of the silo.");
     add_number(*this,
                "Wall height",
                wall_height,
@@ -47,28 +52,31 @@ namespace Sandglass
                "m",
                "Height of the vertical wall; the material fills it. With a "
                "hopper it may be 0: then there is no such wall.");
-    add_number(*this,
-               "Outlet half width",
-               outlet_half_width,
-               Bounds::greater_than(0.),
-               "m",
-               "Half width or radius of the outlet. With a flat bottom it may "
-               "be the Half width: then there is no floor.");
+    add_number(
+      *this,
+      "Outlet half width",
+      outlet_half_width,
+      Bounds::greater_than(0.),
+      "m",
+      "Half width or radius of the outlet, along x. With a flat bottom "
+      "it may be the Half width: then there is no floor.");
     add_flag(
       *this,
       "Symmetry",
       is_symmetric,
       "Whether the half section right of the middle x = 0 stands for the "
       "silo, or the whole section from wall to wall is meshed "
-      "(Formulation = plane strain only). For Shape = silo; a mesh file "
-      "is half a section if it has an axis.");
+      "(Formulation = plane strain only; see Symmetry planes for three "
+      "dimensions). For Shape = silo; a mesh file is half a section if it has "
+      "an axis.");
     add_number(*this,
                "Outlet eccentricity",
                outlet_eccentricity,
                Bounds::any(),
                "m",
-               "How far right of the silo's middle the middle of the outlet "
-               "lies; other than 0 with Symmetry = false only.");
+               "How far right of the silo's middle, along x, the middle of the "
+               "outlet lies; other than 0 with Symmetry = false or in three "
+               "dimensions only.");
     add_number(*this,
                "Hopper height",
                hopper_height,
@@ -106,7 +114,8 @@ namespace Sandglass
       Bounds::at_least(0.),
       "m",
       "Edge length of the cells at the outlet's lip, which grows by 0.2 of the "
-      "distance from there up to Element size (Cell type = triangle only); 0 "
+      "distance from there up to Element size (other than Cell type = "
+      "quadrilateral); 0 "
       "takes Element size everywhere; `auto`: chosen from the outlet where "
       "Element size is, else 0.");
     add_number(*this,
@@ -135,8 +144,12 @@ namespace Sandglass
                             "Cell type",
                             cell_type,
                             {{"triangle", CellType::triangle},
-                             {"quadrilateral", CellType::quadrilateral}},
-                            "Shape of the cells.");
+                             {"quadrilateral", CellType::quadrilateral},
+                             {"tetrahedron", CellType::tetrahedron},
+                             {"hexahedron", CellType::hexahedron}},
+                            "Shape of the cells: in two dimensions triangle or "
+                            "quadrilateral, in three tetrahedron or "
+                            "hexahedron.");
     add_selection<std::optional<unsigned int>>(
       *this,
       "Particles per cell",
@@ -144,14 +157,17 @@ namespace Sandglass
       {{automatic, std::nullopt},
        {"1", 1},
        {"4", 4},
+       {"8", 8},
        {"9", 9},
        {"16", 16},
        {"25", 25},
+       {"27", 27},
        {"36", 36},
        {"64", 64}},
       "Material points in each filled cell: the centroids of equal parts into "
-      "which the cell's edges are divided; `auto`: 9 where Element size is "
-      "`auto` too, else 4.");
+      "which the cell's edges are divided, a square number in two dimensions "
+      "and a cube in three; `auto`: in two 9 where Element size is `auto` too, "
+      "else 4; in three 8.");
     add_selection<bool>(*this,
                         "Outlet",
                         outlet_is_open,
@@ -165,13 +181,16 @@ namespace Sandglass
       partitioner,
       {{"METIS", Partitioner::metis}, {"p4est", Partitioner::p4est}},
       "What shares the cells out between ranks: METIS by their graph, p4est "
-      "(Cell type = quadrilateral only) by cutting deal.II's hierarchical "
+      "(quadrilaterals and hexahedra only) by cutting deal.II's hierarchical "
       "order of them into parts of equal weight.");
-    add_parameter("Gravity",
-                  gravity,
-                  "Acceleration of gravity, x and y. Units: m/s^2.",
-                  prm,
-                  dealii::Patterns::List(dealii::Patterns::Double(), 2, 2));
+    add_parameter(
+      "Gravity",
+      gravity,
+      "Acceleration of gravity, x and y, and z in three dimensions. "
+      "Units: m/s^2.",
+      prm,
+      dealii::Patterns::List(dealii::Patterns::Double(), 2, 3));
+    declare_body();
   }
 
 
@@ -187,7 +206,10 @@ namespace Sandglass
     const bool has_own_cells = shape == Shape::mesh_file;
     return {has_own_cells ? chosen.element_size : *element_size,
             has_own_cells ? 0. : outlet_element_size.value_or(0.),
-            particles_per_cell.value_or(particles_per_given_cell)};
+            particles_per_cell.value_or(formulation ==
+                                            Formulation::three_dimensions ?
+                                          chosen.particles_per_cell :
+                                          particles_per_given_cell)};
   }
 
 

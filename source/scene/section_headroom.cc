@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/scene/section_headroom.h>
+#include <sandglass/scene/headroom.h>
 
 #include <algorithm>
 #include <cmath>
@@ -94,8 +94,9 @@ namespace Sandglass
 
 
 
+  template <>
   void
-  add_headroom(Mesh<2> &mesh, const double height)
+  add_headroom<2>(Mesh<2> &mesh, const double height)
   {
     if (height == 0.)
       return;

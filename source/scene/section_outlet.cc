@@ -1,27 +1,13 @@
-#include <sandglass/scene/section_outlet.h>
+#include <sandglass/scene/mesh_outlet.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace Sandglass
 {
   namespace
   {
-    /// Of numbers of cells.
-    constexpr double rounding = 1e-6;
-    /// With fewer cells across its outlet a mesh is doubted,
-    constexpr double fewest_cells = 8.;
-    /// and this many are asked for.
-    constexpr double enough_cells = 16.;
-    /// Error of the flow rate times the cells across the outlet: see the meshes
-    /// of one size in doc/graded-meshes.md.
-    constexpr double plane_error = 0.5, axisymmetric_error = 1.;
-
-
-
     /// The vertices of faces of a kind.
     template <typename IsOfKind>
     std::set<unsigned int>
@@ -55,36 +41,13 @@ namespace Sandglass
           }
       return part;
     }
-
-
-
-    std::string
-    what_to_set(const SceneParameters &parameters, const SectionOutlet &outlet)
-    {
-      const double       size = outlet.width / enough_cells;
-      std::ostringstream text;
-      text.precision(2);
-      if (parameters.shape == SceneParameters::Shape::mesh_file)
-        text << "make the mesh file's cells at the outlet's lip at most "
-             << size << " m large";
-      else if (parameters.refinement < 1.)
-        text << "set Scene/Refinement = "
-             << parameters.refinement * enough_cells / outlet.n_cells()
-             << " or more";
-      else
-        text << "set Scene/Element size = auto, or "
-             << (parameters.cell_type == CellType::triangle ?
-                   "Outlet element size" :
-                   "Element size")
-             << " = " << size * parameters.refinement << " or less";
-      return text.str();
-    }
   } // namespace
 
 
 
-  std::vector<SectionOutlet>
-  section_outlets(const Mesh<2> &mesh)
+  template <>
+  std::vector<MeshOutlet>
+  mesh_outlets<2>(const Mesh<2> &mesh)
   {
     std::vector<Mesh<2>::Face> faces;
     std::copy_if(mesh.faces.begin(),
@@ -104,57 +67,26 @@ namespace Sandglass
              vertices.count(face.vertices[1]) > 0;
     };
 
-    const auto                            part = connected_parts(faces);
-    std::map<unsigned int, SectionOutlet> outlets;
-    std::set<unsigned int>                halves;
+    const auto                         part = connected_parts(faces);
+    std::map<unsigned int, MeshOutlet> outlets;
+    std::set<unsigned int>             halves;
     for (unsigned int i = 0; i < faces.size(); ++i)
       {
         const double length = mesh.vertices[faces[i].vertices[0]].distance(
           mesh.vertices[faces[i].vertices[1]]);
-        SectionOutlet &outlet = outlets[part[i]];
+        MeshOutlet &outlet = outlets[part[i]];
         outlet.width += length;
         if (touches(faces[i], on_walls))
           outlet.edge_at_lip = std::max(outlet.edge_at_lip, length);
         if (touches(faces[i], on_axis))
           halves.insert(part[i]);
       }
-    std::vector<SectionOutlet> result;
+    std::vector<MeshOutlet> result;
     for (auto &[number, outlet] : outlets)
       {
         outlet.width *= halves.count(number) > 0 ? 2. : 1.;
         result.push_back(outlet);
       }
     return result;
-  }
-
-
-
-  template <>
-  void
-  doubt_outlet<2>(const SceneParameters    &parameters,
-                  const Mesh<2>            &mesh,
-                  std::vector<std::string> &warnings)
-  {
-    if (!parameters.outlet_is_open)
-      return;
-    const double error = parameters.formulation == Formulation::axisymmetric ?
-                           axisymmetric_error :
-                           plane_error;
-    for (const SectionOutlet &outlet : section_outlets(mesh))
-      {
-        if (outlet.edge_at_lip == 0. ||
-            outlet.n_cells() >= fewest_cells * (1. - rounding))
-          continue;
-        const double percent =
-          5. * std::max(1., std::round(20. * error / outlet.n_cells()));
-        std::ostringstream message;
-        message.precision(2);
-        message << "The outlet is only " << outlet.n_cells()
-                << " cells wide, by the size of those at its lip: expect a "
-                   "flow rate that is wrong by some "
-                << percent << " %, mostly too low; "
-                << what_to_set(parameters, outlet) << '.';
-        warnings.push_back(message.str());
-      }
   }
 } // namespace Sandglass

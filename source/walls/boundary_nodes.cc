@@ -2,6 +2,7 @@
 #include <sandglass/choices.h>
 #include <sandglass/walls/boundary_nodes.h>
 #include <sandglass/walls/face_geometry.h>
+#include <sandglass/walls/facets.h>
 
 #include <algorithm>
 #include <map>
@@ -11,8 +12,6 @@ namespace Sandglass
 {
   namespace
   {
-    constexpr double same_direction = 1. - 1e-8;
-
     /// A node of a face, with the integral of its shape function over the
     /// face's area.
     template <int dim>
@@ -155,6 +154,26 @@ namespace Sandglass
 
 
 
+    /// The supports that the faces at a node make.
+    template <int dim>
+    void
+    find_supports(BoundaryNode<dim> &node, Facets<dim> &facets)
+    {
+      if constexpr (dim == 3)
+        unite_directions(facets);
+      for (const Facet<dim> &facet : facets)
+        {
+          const bool is_axis = facet.wall == no_wall;
+          auto      &support = find_support(node, facet.normal, is_axis);
+          if (is_axis)
+            support.area += facet.area;
+          else
+            find_share(node, support, facet.wall).area += facet.area;
+        }
+    }
+
+
+
     /// From the walls' areas, what they have of the support together.
     template <int dim>
     void
@@ -231,6 +250,7 @@ namespace Sandglass
                       const WallParameters         &parameters)
   {
     std::map<types::global_dof_index, BoundaryNode<dim>> nodes;
+    std::map<types::global_dof_index, Facets<dim>>       facets;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         if (cell->is_artificial())
@@ -253,12 +273,9 @@ namespace Sandglass
                   node.is_outlet_lip = true;
                 if (!is_axis && part.wall == no_wall)
                   continue;
-                auto &support =
-                  find_support(node, outward_normal(cell, face_no), is_axis);
-                if (is_axis)
-                  support.area += of_face.area;
-                else
-                  find_share(node, support, part.wall).area += of_face.area;
+                facets[of_face.dof].push_back({outward_normal(cell, face_no),
+                                               is_axis ? no_wall : part.wall,
+                                               of_face.area});
               }
           }
       }
@@ -266,6 +283,7 @@ namespace Sandglass
     std::vector<BoundaryNode<dim>> result;
     for (auto &[dof, node] : nodes)
       {
+        find_supports(node, facets[dof]);
         if (node.supports.empty())
           continue;
         for (auto &support : node.supports)

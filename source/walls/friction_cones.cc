@@ -18,7 +18,7 @@ namespace Sandglass
     Forces<dim>
     directions_in_plane(const Support<dim> &support)
     {
-      constexpr unsigned int n_directions = dim == 2 ? 2 : 8;
+      constexpr unsigned int n_directions = dim == 2 ? 2 : 16;
 
       // The coordinate that the normal has least of gives the first direction.
       unsigned int least = 0;
@@ -68,9 +68,6 @@ namespace Sandglass
   template <int dim>
   FrictionCones<dim>::FrictionCones(const Supports<dim> &supports)
   {
-    // Forces that are closer to a plane than this span nothing beyond it.
-    constexpr double smallest_determinant = 1e-8;
-
     Forces<dim>  forces;
     unsigned int n_walls = 0;
     for (const Support<dim> &support : supports)
@@ -83,26 +80,43 @@ namespace Sandglass
     if (n_walls < 2)
       return;
 
-    std::vector<bool> is_chosen(forces.size(), false);
-    std::fill_n(is_chosen.begin(),
-                std::min<std::size_t>(dim, forces.size()),
-                true);
-    do
+    for (unsigned int i = 0; i < forces.size(); ++i)
+      if constexpr (dim == 2)
+        add_side(cross_product_2d(forces[i]), forces);
+      else
+        for (unsigned int j = 0; j < i; ++j)
+          add_side(cross_product_3d(forces[i], forces[j]), forces);
+  }
+
+
+
+  template <int dim>
+  void
+  FrictionCones<dim>::add_side(const Tensor<1, dim> &normal,
+                               const Forces<dim>    &forces)
+  {
+    // Forces that are closer to a plane than this span nothing beyond it.
+    constexpr double smallest = 1e-8;
+
+    const double norm = normal.norm();
+    if (norm < smallest)
+      return;
+    bool has_before = false, has_behind = false;
+    for (const auto &force : forces)
       {
-        Eigen::Matrix<double, dim, dim> choice;
-        unsigned int                    column = 0;
-        for (unsigned int i = 0; i < forces.size(); ++i)
-          if (is_chosen[i])
-            {
-              for (unsigned int d = 0; d < dim; ++d)
-                choice(d, column) = forces[i][d];
-              ++column;
-            }
-        if (column == dim &&
-            std::abs(choice.determinant()) > smallest_determinant)
-          coordinates.push_back(choice.inverse());
+        const double distance = normal * force / norm;
+        has_before            = has_before || distance > smallest;
+        has_behind            = has_behind || distance < -smallest;
       }
-    while (std::prev_permutation(is_chosen.begin(), is_chosen.end()));
+    has_volume = has_volume || has_before || has_behind;
+    if (has_before && has_behind)
+      return;
+    const Tensor<1, dim> side = (has_before ? 1. : -1.) / norm * normal;
+    for (const auto &known : sides)
+      if ((known - side).norm() < smallest)
+        return;
+    if (has_before || has_behind)
+      sides.push_back(side);
   }
 
 

@@ -58,6 +58,14 @@ namespace PlainParticle
                               stress[Component::xy] * gradient[1]);
         force[1] += volume * (stress[Component::xy] * gradient[0] +
                               stress[Component::yy] * gradient[1]);
+        if constexpr (dim == 3)
+          {
+            force[0] += volume * stress[Component::xz] * gradient[2];
+            force[1] += volume * stress[Component::yz] * gradient[2];
+            force[2] += volume * (stress[Component::xz] * gradient[0] +
+                                  stress[Component::yz] * gradient[1] +
+                                  stress[Component::zz] * gradient[2]);
+          }
         if constexpr (Setting::has_hoop_strain)
           force[0] +=
             volume * stress[Component::zz] * values[i] / state.location[0];
@@ -75,8 +83,8 @@ namespace PlainParticle
                 state.stress.size(),
                 properties.begin() + Layout::stress);
     properties[Layout::density] = state.density;
-    particle.set_location({state.location[0], state.location[1]});
-    particle.set_reference_location({state.reference[0], state.reference[1]});
+    particle.set_location(point_of(state.location));
+    particle.set_reference_location(point_of(state.reference));
   }
 } // namespace PlainParticle
 

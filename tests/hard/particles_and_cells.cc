@@ -1,4 +1,4 @@
-#include <sandglass/scene/section_headroom.h>
+#include <sandglass/scene/headroom.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/scene/automatic_mesh.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/scene/section_outlet.h>
+#include <sandglass/scene/mesh_outlet.h>
 
 #include <gtest/gtest.h>
 
@@ -172,7 +172,7 @@ TEST_F(AutomaticMesh, HasItsCellsAtTheLip)
   for (const bool is_symmetric : {true, false})
     {
       silo.is_symmetric  = is_symmetric;
-      const auto outlets = section_outlets(mesh_silo<2>(silo));
+      const auto outlets = mesh_outlets(mesh_silo<2>(silo));
       ASSERT_EQ(outlets.size(), 1);
       EXPECT_NEAR(outlets[0].width, 0.45, 1e-12);
       EXPECT_NEAR(outlets[0].n_cells(), 16., 2.);

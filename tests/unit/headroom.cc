@@ -1,6 +1,6 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/scene/headroom.h>
 #include <sandglass/scene/make_mesh.h>
-#include <sandglass/scene/section_headroom.h>
 
 #include <gtest/gtest.h>
 

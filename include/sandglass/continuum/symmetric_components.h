@@ -34,7 +34,9 @@ namespace Sandglass
       xx = 0,
       yy = 1,
       zz = 2,
-      xy = 3
+      xy = 3,
+      yz = 4,
+      xz = 5
     };
 
     /// From here on components are shear components.

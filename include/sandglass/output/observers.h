@@ -4,6 +4,7 @@
 #include <sandglass/flow/flow_view.h>
 #include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/output/background_task.h>
+#include <sandglass/output/body_wall_tractions.h>
 #include <sandglass/output/design_results.h>
 #include <sandglass/output/history.h>
 #include <sandglass/output/particle_fields.h>

@@ -70,6 +70,10 @@ namespace Sandglass
   std::vector<Column<WallTraction>>
   wall_columns();
 
+  /// Add the nodes of the walls, with the fields of walls.pvd.
+  void
+  add_wall_points(VtuPiece &piece, const std::vector<WallTraction> &tractions);
+
   /// The walls as lines between their nodes, with the fields of walls.pvd.
   VtuPiece
   wall_fields(const std::vector<WallTraction> &tractions);

@@ -26,11 +26,12 @@ namespace Sandglass
    * - to_reference(point, start): the same, from coordinates near them;
    * - to_real(reference_point): its position in m;
    * - node(i): position of node i in m;
-   * - jacobian(reference_point): area per reference area, in m^2;
+   * - jacobian(reference_point): area per reference area, in m^2 (in space:
+   *   volume per reference volume, in m^3);
    * - face_distances(reference_point): for each face a number that is negative
    *   beyond it and grows inwards, 0 on it, of the order of 1 across the cell;
-   * - walk_distances(point): the same for any point of the plane, also where a
-   *   quadrilateral's reference coordinates don't exist.
+   * - walk_distances(point): the same for any point, also where a
+   *   quadrilateral's or hexahedron's reference coordinates don't exist.
    */
   template <CellType cell_type>
   class CellShape;
@@ -57,7 +58,9 @@ namespace Sandglass
   }
 } // namespace Sandglass
 
+#include <sandglass/particles/hexahedron_shape.h>
 #include <sandglass/particles/quadrilateral_shape.h>
+#include <sandglass/particles/tetrahedron_shape.h>
 #include <sandglass/particles/triangle_shape.h>
 
 #endif

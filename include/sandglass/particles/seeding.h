@@ -14,8 +14,9 @@ namespace Sandglass
 {
   /**
    * Reference coordinates of a cell's initial material points: the cell's edges
-   * are divided into sqrt(n) equal parts, and each of the n equal parts of the
-   * cell has a point at its centroid (paper, Figure 1, for n = 4).
+   * are divided into sqrt(n) equal parts (in space the cubic root), and each of
+   * the n equal parts of the cell has a point at its centroid (paper, Figure 1,
+   * for n = 4).
    */
   template <CellType cell_type>
   std::vector<Point<CellShape<cell_type>::dim>>
@@ -27,6 +28,12 @@ namespace Sandglass
   template <>
   std::vector<Point<2>>
   seed_points<CellType::quadrilateral>(const unsigned int n);
+  template <>
+  std::vector<Point<3>>
+  seed_points<CellType::tetrahedron>(const unsigned int n);
+  template <>
+  std::vector<Point<3>>
+  seed_points<CellType::hexahedron>(const unsigned int n);
 
   /**
    * Initial data of a particle that follow from its id alone: particle k of

@@ -25,17 +25,27 @@ namespace Sandglass
     public:
       static constexpr unsigned long largest_count = 2'500'000;
 
+      /// What particles are: of a metre of depth, rings round x = 0, or pieces
+      /// of a body, of which those are shown that lie next to the plane z = 0
+      /// at the start.
+      enum class Space
+      {
+        plane,
+        round,
+        body
+      };
+
       /**
-       * @param files              of particles.pvd; may be none.
-       * @param is_axisymmetric    whether particles are rings round x = 0.
+       * @param files  of particles.pvd; may be none.
        *
        * Throws InputError where a file is missing or damaged.
        */
-      ParticleFrames(const std::vector<FieldFile> &files, bool is_axisymmetric);
+      ParticleFrames(const std::vector<FieldFile> &files, Space space);
 
       /**
        * What the bytes mean, in JSON: `particles` and `times`, numbers
-       * `of_particles` and `of_frames` of the run, the `origin` (m) and the
+       * `of_particles` and `of_frames` of the run, `in_cut` of its particles
+       * those that a cut leaves, the `origin` (m) and the
        * `step` (m) of places, the `speed` (m/s) and `pressure` (Pa) of code
        * 255, the `speed_decades` below it that codes of speed divide
        * evenly, and the `size` (m) of code 128, of which 64 are a factor of 2.
@@ -71,9 +81,9 @@ namespace Sandglass
       void
       append_differences(std::vector<std::uint8_t> &bytes, Code code) const;
 
-      std::vector<FieldFile>                files;
-      std::size_t                           n_frames_of_run, n_particles_of_run;
-      std::vector<Frame>                    frames;
+      std::vector<FieldFile> files;
+      std::size_t        n_frames_of_run, n_particles_of_run, n_particles_shown;
+      std::vector<Frame> frames;
       std::map<std::int64_t, std::uint32_t> slots; // of each id
       double x_0 = 0, y_0 = 0, step = 1, speed = 1, pressure = 1, size = 1;
     };

@@ -41,8 +41,27 @@ namespace Sandglass
                          "Box depth",
                          std::to_string(walls.box_depth),
                          "allowed is 0 unless the formulation is plane strain");
+      if (scene.formulation == Formulation::three_dimensions)
+        check_in_space();
       element_test.check();
       output.check();
+    }
+
+  private:
+    /// What is for the plane only.
+    void
+    check_in_space() const
+    {
+      if (flow.method == FlowParameters::Method::updated_lagrangian)
+        throw InputError("Flow",
+                         "Method",
+                         "updated Lagrangian",
+                         "three dimensions allow particle-in-cell");
+      if (material.stress_rate == StressRate::green_naghdi)
+        throw InputError("Material",
+                         "Stress rate",
+                         "Green-Naghdi",
+                         "three dimensions allow Jaumann");
     }
   };
 } // namespace Sandglass

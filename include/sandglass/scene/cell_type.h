@@ -7,13 +7,17 @@ namespace Sandglass
   enum class CellType
   {
     triangle,
-    quadrilateral
+    quadrilateral,
+    tetrahedron,
+    hexahedron
   };
 
   constexpr unsigned int
   vertices_per_cell(const CellType cell_type)
   {
-    return cell_type == CellType::triangle ? 3 : 4;
+    return cell_type == CellType::triangle   ? 3 :
+           cell_type == CellType::hexahedron ? 8 :
+                                               4;
   }
 
   /// Whether the cells are simplices, on which deal.II has elements of their
@@ -21,8 +25,10 @@ namespace Sandglass
   constexpr bool
   is_simplex(const CellType cell_type)
   {
-    return cell_type == CellType::triangle;
+    return cell_type == CellType::triangle ||
+           cell_type == CellType::tetrahedron;
   }
+
   /// Stands for a cell type as an argument of a function.
   template <CellType cell_type, int dim_>
   struct CellTypeTag

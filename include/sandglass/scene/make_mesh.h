@@ -12,10 +12,10 @@
 namespace Sandglass
 {
   /**
-   * The silo of the parameters in this dimension, meshed by Gmsh. In two: its
-   * half or whole section: outlet
-   * level at y = 0, middle of the silo at x = 0, the fall region below an open
-   * outlet.
+   * The silo of the parameters in this dimension: in two its half or whole
+   * section, in three its quarter, half or whole body. Outlet level at y = 0,
+   * middle of the silo at x = 0 (and z = 0), the fall region below an open
+   * outlet. By Gmsh; hexahedra are made in layers.
    */
   template <int dim>
   Mesh<dim>
@@ -25,11 +25,16 @@ namespace Sandglass
   Mesh<2>
   mesh_silo<2>(const SceneParameters &parameters);
 
+  template <>
+  Mesh<3>
+  mesh_silo<3>(const SceneParameters &parameters);
+
   /**
    * Read the mesh file of the parameters. Lines must belong to physical groups
    * named as in boundary_role_names, or to further walls that Walls/Friction
    * angles names (see make_walls()), surfaces to groups `material` (filled) or
-   * `fall_region`, which a closed outlet leaves out. The mesh is moved to where
+   * `fall_region`, which a closed outlet leaves out; in three dimensions,
+   * surfaces and volumes. The mesh is moved to where
    * mesh_silo() has its own. Throws InputError that says what is wrong with the
    * file, and where.
    *

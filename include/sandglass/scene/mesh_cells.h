@@ -21,9 +21,15 @@ namespace Sandglass
   Mesh<dim>
   take_cells(const GmshMesh &gmsh_mesh, const CellType cell_type);
 
+  /// Close the outlet of a mesh: only what material fills remains.
+  template <int dim>
+  void
+  leave_out_fall_region(Mesh<dim> &mesh);
+
   /**
-   * Order each cell's vertices counterclockwise. Throws InputError where a cell
-   * has no area, or where a quadrilateral isn't convex.
+   * Order each cell's vertices counterclockwise, in three dimensions so that
+   * its volume is positive. Throws InputError where a cell has no area or
+   * volume, or where a quadrilateral or hexahedron isn't convex at its corners.
    */
   template <int dim>
   void
@@ -33,6 +39,10 @@ namespace Sandglass
   void
   orient_cells<2>(Mesh<2> &mesh);
 
+  template <>
+  void
+  orient_cells<3>(Mesh<3> &mesh);
+
   /// Throws InputError where oriented cells lie on each other.
   template <int dim>
   void
@@ -41,6 +51,10 @@ namespace Sandglass
   template <>
   void
   check_overlap<2>(const Mesh<2> &mesh);
+
+  template <>
+  void
+  check_overlap<3>(const Mesh<3> &mesh);
 
   /// Names with commas between them, or "none".
   std::string

@@ -28,6 +28,14 @@ namespace Sandglass
              const Formulation         formulation,
              std::vector<std::string> &warnings);
 
+  /// In three dimensions the faces of the axis are symmetry planes, which come
+  /// to x = 0 and z = 0.
+  template <>
+  void
+  place_mesh<3>(Mesh<3>                  &mesh,
+                const Formulation         formulation,
+                std::vector<std::string> &warnings);
+
   template <>
   void
   place_mesh<2>(Mesh<2>                  &mesh,

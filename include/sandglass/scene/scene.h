@@ -86,7 +86,8 @@ namespace Sandglass
     /// Lowest and highest y of the filled cells, in m.
     double fill_bottom, fill_top;
 
-    /// 2 for the half of a plane section (the whole silo has both), else 1.
+    /// 2 for each symmetry plane of a plane section or a body, of which the
+    /// grid has one side and the silo both.
     double symmetry_factor;
   };
 } // namespace Sandglass

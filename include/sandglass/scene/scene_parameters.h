@@ -8,6 +8,7 @@
 #include <sandglass/scene/partition.h>
 #include <sandglass/scene/resolution.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +16,9 @@
 namespace Sandglass
 {
   /**
-   * Section `Scene`: the silo's half or whole section, its mesh, and where
-   * material is at the start. Lengths in m.
+   * Section `Scene`: the silo's half or whole section, or in three dimensions
+   * its quarter, half or whole; its mesh, and where material is at the start.
+   * Lengths in m.
    */
   class SceneParameters : public dealii::ParameterAcceptor
   {
@@ -36,6 +38,29 @@ namespace Sandglass
       mesh_adapt
     };
 
+    /// The silo seen from above (three dimensions), and its outlet.
+    enum class CrossSection
+    {
+      rectangle,
+      circle
+    };
+    enum class OutletShape
+    {
+      slot,
+      circle,
+      rectangle
+    };
+
+    /// Which symmetry planes end the mesh (three dimensions).
+    enum class SymmetryPlanes
+    {
+      automatic,
+      none,
+      x,
+      z,
+      x_and_z
+    };
+
     Formulation           formulation = Formulation::plane_strain;
     Shape                 shape       = Shape::silo;
     std::string           mesh_file;
@@ -47,6 +72,14 @@ namespace Sandglass
     double                hopper_height       = 0.;
     double                fall_region_depth   = 0.65;
     std::optional<double> headroom; ///< none: as the program chooses
+
+    /// In three dimensions only.
+    CrossSection          cross_section = CrossSection::rectangle;
+    std::optional<double> half_depth; ///< none: as the half width
+    OutletShape           outlet_shape = OutletShape::slot;
+    std::optional<double> outlet_half_depth; ///< none: as its half width
+    double                outlet_eccentricity_along_z = 0.;
+    SymmetryPlanes        chosen_symmetry_planes = SymmetryPlanes::automatic;
 
     /// How fine, as far as the user says; what has no value is chosen. See
     /// resolution().
@@ -75,6 +108,19 @@ namespace Sandglass
         result[d] = gravity[d];
       return result;
     }
+
+    /// Half length along z of a rectangular silo, given or as its half width,
+    /// in m.
+    double
+    whole_half_depth() const
+    {
+      return half_depth.value_or(half_width);
+    }
+
+    /// Whether the mesh of a body ends at the planes x = 0 and z = 0: as given,
+    /// or where the outlet lies in the middle.
+    std::array<bool, 2>
+    symmetry_planes() const;
 
     /// Height of the material's free surface above the outlet level, in m.
     double
@@ -105,6 +151,14 @@ namespace Sandglass
     check() const;
 
   private:
+    /// The parameters of silos in three dimensions.
+    void
+    declare_body();
+
+    /// The part of check() for them, and for what they must not be in two.
+    void
+    check_body() const;
+
     /// The same without the refinement.
     Resolution
     unrefined_resolution() const;

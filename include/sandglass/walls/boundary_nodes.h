@@ -35,12 +35,15 @@ namespace Sandglass
   /**
    * All nodes on the axis and on walls whose cells this rank knows (owned and
    * ghost cells), in order of their degree of freedom. Open boundaries and the
-   * top don't support nodes. Faces of the same direction are one support; the
+   * top don't support nodes. Faces of the same direction are one support; in
+   * space faces of one wall that turn gradually stand for a curved surface and
+   * are one support with their mean direction, and where walls meet in more
+   * than three directions the nearest are one. The
    * node at the foot of the wall on a flat floor is marked fixed if the
    * parameters ask for it, that on a free outlet lip free.
    *
    * Throws InputError where the boundary has more directions at a node than
-   * space has, or more than Support::most_walls walls in one of them.
+   * the grid, or more than Support::most_walls walls in one of them.
    *
    * @param dof_handler  scalar, linear or in the plane quadratic, on a
    *                     triangulation whose boundary faces are straight and

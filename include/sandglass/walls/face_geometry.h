@@ -25,7 +25,8 @@ namespace Sandglass
     return normal / normal.norm();
   }
 
-  /// Outward unit normal of a plane boundary face of a cell.
+  /// Outward unit normal of a boundary face of a cell; of a quadrilateral that
+  /// isn't plane the mean one.
   template <typename CellIterator>
   auto
   outward_normal(const CellIterator &cell, const unsigned int face_no)
@@ -35,7 +36,14 @@ namespace Sandglass
     std::array<Point<dim>, dim> points;
     for (unsigned int v = 0; v < dim; ++v)
       points[v] = face->vertex(v);
-    const Tensor<1, dim> normal = unit_normal<dim>(points);
+    Tensor<1, dim> normal = unit_normal<dim>(points);
+    if constexpr (dim == 3)
+      if (face->n_vertices() == 4)
+        {
+          normal = cross_product_3d(face->vertex(3) - face->vertex(0),
+                                    face->vertex(2) - face->vertex(1));
+          normal /= normal.norm();
+        }
     return normal * (face->center() - cell->center()) > 0. ? normal :
                                                              -1. * normal;
   }

@@ -3,8 +3,6 @@
 
 #include <sandglass/walls/support.h>
 
-#include <Eigen/Dense>
-
 #include <vector>
 
 namespace Sandglass
@@ -14,8 +12,9 @@ namespace Sandglass
    * that the walls together can exert on material which doesn't slip.
    *
    * A wall's cone is spanned by the forces at its limit of friction; in the
-   * plane these are two. A wall that moves rubs even if the material stays
-   * where it is, so nothing but its normal counts.
+   * plane these are two, in space sixteen stand for the circle. A wall that
+   * moves rubs even if the material stays where it is, so nothing but its
+   * normal counts.
    */
   template <int dim>
   class FrictionCones
@@ -26,30 +25,36 @@ namespace Sandglass
 
     explicit FrictionCones(const Supports<dim> &supports);
 
-    /// Whether there are several walls.
+    /// Whether there are several walls whose cones have a volume (in the plane,
+    /// an area) together.
     bool
     are_several() const
     {
-      return !coordinates.empty();
+      return has_volume;
     }
 
     /// Whether the walls together can exert this force on the material.
     bool
     contain(const Tensor<1, dim> &force) const
     {
-      Eigen::Matrix<double, dim, 1> components;
-      for (unsigned int d = 0; d < dim; ++d)
-        components[d] = force[d];
-      for (const auto &of_simplex : coordinates)
-        if ((of_simplex * components).minCoeff() >= 0.)
-          return true;
-      return false;
+      if (!has_volume)
+        return false;
+      for (const Tensor<1, dim> &side : sides)
+        if (side * force < 0.)
+          return false;
+      return true;
     }
 
   private:
-    /// A force's coordinates along each choice of dim spanning forces: the sum
-    /// of the cones is the union of the cones over these choices.
-    std::vector<Eigen::Matrix<double, dim, dim>> coordinates;
+    /// A candidate for a side, along dim - 1 of the spanning forces.
+    void
+    add_side(const Tensor<1, dim>              &normal,
+             const std::vector<Tensor<1, dim>> &forces);
+
+    bool has_volume = false;
+
+    /// Inward normals of the sum's sides; none if it is all of space.
+    std::vector<Tensor<1, dim>> sides;
   };
 } // namespace Sandglass
 

@@ -5,8 +5,12 @@
 
 #include <Amesos.h>
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <map>
 
 namespace Sandglass
 {
@@ -84,6 +88,51 @@ namespace Sandglass
     // again: friction makes the tangent unsymmetric.
     settings.smoother_type   = "symmetric Gauss-Seidel";
     settings.smoother_sweeps = 2;
+    if constexpr (dim == 3)
+      find_rigid_modes(grid);
+  }
+
+
+
+  template <int dim>
+  void
+  TangentMultigrid<dim>::find_rigid_modes(const ElementGrid<dim> &grid)
+  {
+    std::map<types::global_dof_index, Point<dim>> positions;
+    DoFTools::map_dofs_to_support_points(grid.mapping,
+                                         grid.dof_handler,
+                                         positions);
+    // All ranks know all vertices.
+    const auto &vertices = grid.triangulation.get_vertices();
+    Point<dim>  centre;
+    for (const Point<dim> &vertex : vertices)
+      centre += vertex / static_cast<double>(vertices.size());
+    double size = 0.;
+    for (const Point<dim> &vertex : vertices)
+      size = std::max(size, vertex.distance(centre));
+
+    const unsigned int n_owned = grid.n_owned_dofs();
+    rigid_modes.assign(n_rigid_modes * n_owned, 0.);
+    for (const auto &local_cell : grid.local_cells)
+      {
+        std::vector<types::global_dof_index> dofs(
+          grid.finite_element.n_dofs_per_cell());
+        local_cell.cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            const unsigned int at = local_cell.dofs[i];
+            if (at >= n_owned)
+              continue;
+            const unsigned int   d   = grid.component(i);
+            const Tensor<1, dim> arm = (positions.at(dofs[i]) - centre) / size;
+            rigid_modes[d * n_owned + at] = 1.;
+            // About the axis k a point moves by e_k x arm.
+            for (unsigned int k = 0; k < dim; ++k)
+              if (k != d)
+                rigid_modes[(dim + k) * n_owned + at] =
+                  ((k + 1) % dim == d ? -1. : 1.) * arm[dim - k - d];
+          }
+      }
   }
 
 
@@ -92,7 +141,21 @@ namespace Sandglass
   bool
   TangentMultigrid<dim>::update()
   {
-    multigrid.initialize(tangent.stored_matrix(), settings);
+    if constexpr (dim == 2)
+      multigrid.initialize(tangent.stored_matrix(), settings);
+    else
+      {
+        Teuchos::ParameterList              parameters;
+        std::unique_ptr<Epetra_MultiVector> constant_modes;
+        settings.set_parameters(parameters,
+                                constant_modes,
+                                tangent.stored_matrix());
+        parameters.set("null space: type", "pre-computed");
+        parameters.set("null space: dimension",
+                       static_cast<int>(n_rigid_modes));
+        parameters.set("null space: vectors", rigid_modes.data());
+        multigrid.initialize(tangent.stored_matrix(), parameters);
+      }
     return true;
   }
 

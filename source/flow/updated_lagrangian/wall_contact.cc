@@ -65,7 +65,11 @@ namespace Sandglass
 
     node.equations = NodeEquations();
     if (n_supports(active) > 1)
-      evaluate_corner(node, active, force, displacement);
+      {
+        evaluate_corner(node, active, force, displacement);
+        if (n_supports(active) < dim)
+          add_friction_on_edge(node, active, force, increment);
+      }
     else if (active != 0)
       evaluate_sliding(node.equations,
                        node.supports[last],

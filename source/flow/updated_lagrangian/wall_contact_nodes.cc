@@ -1,5 +1,6 @@
 #include <sandglass/choices.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
+#include <sandglass/walls/corner.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,28 @@ namespace Sandglass
 {
   namespace
   {
-    /// Material on the axis can't leave it: there a wall acts along it only.
+    /// Material on the axis can't leave it: there a wall acts along it only. In
+    /// space it acts along the symmetry planes.
     template <int dim>
     void
     align_with_axis(Supports<dim> &supports)
     {
+      if constexpr (dim == 3)
+        {
+          SupportSet planes = 0;
+          for (unsigned int s = 0; s < supports.size(); ++s)
+            if (supports[s].is_axis)
+              planes |= 1u << s;
+          const HeldDirections<dim> held(supports, planes);
+          for (auto &support : supports)
+            if (planes != 0 && !support.is_axis)
+              {
+                const Tensor<1, dim> along = held.left_of(support.normal);
+                if (along.norm() > 1e-8)
+                  support.normal = along / along.norm();
+              }
+          return;
+        }
       const bool has_axis =
         std::any_of(supports.begin(), supports.end(), [](const auto &support) {
           return support.is_axis;

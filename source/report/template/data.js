@@ -86,5 +86,6 @@ async function loadRun() {
     mesh: mesh ? JSON.parse(mesh) : null, movie,
     // Quantities are per metre of depth in a plane silo.
     isPlane: parameter("Scene", "Formulation") === "plane strain",
+    isBody: parameter("Scene", "Formulation") === "three dimensions",
   };
 }

@@ -126,8 +126,11 @@ function largestPressure(lines) {
 }
 
 // The force of a traction on a wall: per metre of depth in a plane silo, round
-// the whole circumference in a round one (N).
+// the whole circumference in a round one, on the part that was computed in a
+// body (N).
 function wallForce(frame, column, run) {
+  if (run.isBody)
+    return d3.sum(frame, row => row.area_m2 * (isFinite(row[column]) ? row[column] : 0));
   return d3.sum(d3.pairs(frame), ([a, b]) => {
     const length = Math.hypot(b.x_m - a.x_m, b.y_m - a.y_m);
     const weight = row => (run.isPlane ? 1 : 2 * Math.PI * Math.abs(row.x_m)) * (isFinite(row[column]) ? row[column] : 0);
@@ -172,5 +175,5 @@ function wallTable(container, run) {
   container.innerHTML = `<div class="wide"><table class="data"><thead><tr><th>Wall</th><th>Largest pressure<br>kPa</th><th>Largest at rest<br>kPa</th>` +
     `<th>Ratio</th><th>Janssen<br>kPa</th><th>EN 1991-4 filling<br>kPa</th><th>EN 1991-4 discharge<br>kPa</th><th>Normal force at rest<br>${force}</th><th>Friction at rest<br>${force}</th></tr></thead>` +
     `<tbody>${rows.join("")}</tbody></table></div>` +
-    `<p class="muted small">Largest pressures over the run and over the wall; forces are those ${run.isPlane ? "on each wall named, on one side where half of the silo was computed" : "round the whole circumference"}.</p>`;
+    `<p class="muted small">Largest pressures over the run and over the wall; forces are those ${run.isBody ? "on the part of each wall that was computed; rows are means over bands of a wall" : run.isPlane ? "on each wall named, on one side where half of the silo was computed" : "round the whole circumference"}.</p>`;
 }

@@ -9,7 +9,8 @@ function leadSentences(run) {
   const number = (section, name) => parseFloat(parameter(section, name));
   if (!parameter("Scene", "Formulation"))
     return "";
-  const kind = isPlane ? "plane" : "round", sentences = [];
+  const isSquareCut = run.isBody && parameter("Scene", "Cross section") === "rectangle";
+  const kind = isPlane ? "plane" : isSquareCut ? "rectangular" : "round", sentences = [];
   if (parameter("Scene", "Shape") === "mesh file")
     sentences.push(`A ${kind} silo from the mesh file ${escapeHtml(parameter("Scene", "Mesh file"))}.`);
   else {
@@ -19,8 +20,8 @@ function leadSentences(run) {
     const aside = number("Scene", "Outlet eccentricity");
     const bottom = hopper > 0 ? `a hopper ${shown(hopper)} m high, whose walls are ${shown(slope)}° from the vertical,` : "a flat bottom";
     const isClosed = parameter("Scene", "Outlet") === "closed";
-    sentences.push(`A ${kind} silo ${shown(width)} m ${isPlane ? "wide" : "in diameter"}${wall > 0 ? `, with a wall ${shown(wall)} m high` : ""}, ${bottom} and ` +
-      `${isClosed ? "a closed outlet" : isPlane ? "a slot" : "a round outlet"} of ${shown(outlet)} m${aside ? `, ${shown(aside)} m off the middle` : ""}.`);
+    sentences.push(`A ${kind} silo ${shown(width)} m ${isPlane || isSquareCut ? "wide" : "in diameter"}${wall > 0 ? `, with a wall ${shown(wall)} m high` : ""}, ${bottom} and ` +
+      `${isClosed ? "a closed outlet" : isPlane || (run.isBody && parameter("Scene", "Outlet shape") === "slot") ? "a slot" : run.isBody && parameter("Scene", "Outlet shape") === "rectangle" ? "a rectangular outlet" : "a round outlet"} of ${shown(outlet)} m${aside ? `, ${shown(aside)} m off the middle` : ""}.`);
   }
   const model = parameter("Material", "Model");
   sentences.push(`The material (${escapeHtml(model)}) has a bulk density of ${shown(number("Material", "Density"), 4)} kg/m³ and an angle of internal friction of ` +
@@ -43,8 +44,10 @@ function notices(run) {
       list.push(["warn", escapeHtml(line.slice(9))]);
   if (run.movie && run.movie.times.length < run.movie.of_frames)
     list.push(["", `Of ${run.movie.of_frames} times of output ${run.movie.times.length} are shown, evenly chosen, to keep this page small.`]);
-  if (run.movie && run.movie.particles < 0.99 * run.movie.of_particles)
-    list.push(["", `Of ${shown(run.movie.of_particles, 9)} particles ${shown(run.movie.particles, 9)} are shown, to keep this page small.`]);
+  if (run.movie && run.movie.in_cut < run.movie.of_particles)
+    list.push(["", `The silo was computed in three dimensions: the pictures show the ${shown(run.movie.in_cut, 9)} of ${shown(run.movie.of_particles, 9)} particles that lay next to the plane z = 0 at the start; particles.pvd has all.`]);
+  if (run.movie && run.movie.particles < 0.99 * run.movie.in_cut)
+    list.push(["", `Of ${shown(run.movie.in_cut, 9)} particles ${shown(run.movie.particles, 9)} are shown, to keep this page small.`]);
   return list.map(([kind, text]) => `<p class="notice ${kind}">${text}</p>`).join("");
 }
 

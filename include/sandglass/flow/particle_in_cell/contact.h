@@ -30,7 +30,8 @@ namespace Sandglass
    *
    * Where walls meet, a node stays at rest as long as their friction cones
    * together bear the force that stops it (see FrictionCones). Otherwise it
-   * slides along one of them or leaves. There friction has no spring: which
+   * slides along one of them, in space also along the edge of two, or leaves.
+   * There friction has no spring: which
    * walls hold the node changes with the force's direction, and springs that
    * come and go would drive material round the corner for ever.
    */
@@ -168,6 +169,30 @@ namespace Sandglass
       return holding[n] == 1u << support && !nodes[n].is_fixed;
     }
 
+    /// Whether two supports hold a node in space, which leaves it a line to
+    /// move along.
+    bool
+    is_on_edge(const unsigned int n) const
+    {
+      return dim == 3 && n_supports(holding[n]) == 2 && !nodes[n].is_fixed;
+    }
+
+    /// Whether this support is a wall, and no other wall holds a node that is
+    /// free to move along it. In space a symmetry plane may hold it as well.
+    bool
+    rubs_alone(const unsigned int n, const unsigned int support) const
+    {
+      const auto &supports = nodes[n].supports;
+      if (supports[support].is_axis || !contains(holding[n], support))
+        return false;
+      if (!is_on_edge(n))
+        return is_held_by_one(n, support);
+      for (unsigned int s = 0; s < supports.size(); ++s)
+        if (s != support && contains(holding[n], s) && !supports[s].is_axis)
+          return false;
+      return true;
+    }
+
     /// Take away the momentum that the material's mirror image beyond the axis
     /// cancels, so that half a silo moves like the whole.
     static void
@@ -187,6 +212,33 @@ namespace Sandglass
                   const Tensor<1, dim> &velocity,
                   const Tensor<1, dim> &free_velocity);
 
+    /**
+     * Friction of the walls that hold a node on an edge: what they can rub
+     * together, or of one wall beside a symmetry plane what it does anywhere.
+     * Records it; returns its change of the velocity, in m/s.
+     *
+     * @param sticks   whether the walls stop the node, whatever it takes.
+     * @param impulse  of the supports along their normals, in N s.
+     * @param free_velocity  at the end of the step without friction, in m/s.
+     */
+    Tensor<1, dim>
+    edge_reaction(const unsigned int    n,
+                  const double          mass,
+                  const bool            sticks,
+                  const Tensor<1, dim> &impulse,
+                  const Tensor<1, dim> &velocity,
+                  const Tensor<1, dim> &free_velocity);
+
+    /// Record the friction of the one wall that holds a node; returns its
+    /// change of the velocity, in m/s.
+    Tensor<1, dim>
+    friction_of_wall(const unsigned int    n,
+                     const unsigned int    support,
+                     const double          mass,
+                     const double          normal_impulse,
+                     const Tensor<1, dim> &slip,
+                     const Tensor<1, dim> &free_slip);
+
     /// Whether friction at a node follows the rule for places where walls meet.
     bool
     is_corner(const unsigned int n) const
@@ -194,13 +246,12 @@ namespace Sandglass
       return cones[n].are_several();
     }
 
-    /// The supports that hold a node where walls meet, if its velocity would
-    /// change by `approach` and become `free_velocity` without them.
-    SupportSet
-    hold_in_corner(const unsigned int    n,
-                   const double          mass,
-                   const Tensor<1, dim> &approach,
-                   const Tensor<1, dim> &free_velocity) const;
+    /// Whether the walls that meet at a node can stop it, if it would move at
+    /// `free_velocity` without them.
+    bool
+    sticks_in_corner(const unsigned int    n,
+                     const double          mass,
+                     const Tensor<1, dim> &free_velocity) const;
 
     /// Forget the friction of a support that doesn't rub.
     void

@@ -15,7 +15,7 @@ namespace Sandglass
                       const ParticleStageParameters &parameters)
   {
     std::unique_ptr<DynamicFlow<Kinematics::dim>> stage;
-    choose_law(material, [&](const auto law) {
+    choose_law_in<Kinematics::dim>(material, [&](const auto law) {
       using Law = typename decltype(law)::Type;
       using Setting =
         Sandglass::Setting<Kinematics, cell_type, n_state_numbers<Law>()>;

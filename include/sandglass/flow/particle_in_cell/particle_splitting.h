@@ -28,13 +28,14 @@ namespace Sandglass
   }
 
   /// Whether the filled cells' volumes differ so much that particles have to be
-  /// halved. Plane meshes of one size have areas within a factor of four.
+  /// halved. Plane meshes of one size have areas within a factor of four,
+  /// tetrahedra of one size volumes within a factor of ten.
   template <int dim, typename Configuration>
   bool
   needs_splitting(const Mesh<dim>     &mesh,
                   const Configuration &initial_configuration)
   {
-    constexpr double largest_ratio = 6.;
+    constexpr double largest_ratio = dim == 2 ? 6. : 12.;
     double           smallest      = std::numeric_limits<double>::max();
     double           largest       = 0.;
     for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
@@ -136,7 +137,8 @@ namespace Sandglass
     /// starts with in the cell.
     static constexpr double largest_share = 1.5;
 
-    /// Distance of a half from its parent, over the root of the parent's area.
+    /// Distance of a half from its parent, over the root of the parent's area
+    /// (the cubic root of its volume).
     static constexpr double reach = 0.3;
 
     /// Smallest face distance of a half, in cells.
@@ -181,9 +183,9 @@ namespace Sandglass
       const auto  &points = initial_configuration.points;
       const double smallest =
         0.5 * reach *
-        std::sqrt(
+        length_of(
           part_area(geometry.shape(slot.cell), points[0], points.size()));
-      for (double distance = reach * std::sqrt(area(parent));
+      for (double distance = reach * length_of(area(parent));
            distance > smallest;
            distance *= 0.5)
         {
@@ -214,7 +216,14 @@ namespace Sandglass
       return both;
     }
 
-    /// Area of a particle in the section, in m^2.
+    /// Of a square of that area in m^2, or a cube of that volume in m^3.
+    static double
+    length_of(const double area)
+    {
+      return dim == 2 ? std::sqrt(area) : std::cbrt(area);
+    }
+
+    /// Area of a particle in the section, in m^2; in space its volume, in m^3.
     static double
     area(const Parcel &particle)
     {

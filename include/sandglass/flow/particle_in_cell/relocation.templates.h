@@ -214,11 +214,13 @@ namespace Sandglass
   {
     if (!fault.empty())
       return;
+    Point<dim> velocity;
+    for (unsigned int d = 0; d < dim; ++d)
+      velocity[d] = stray.properties[Layout::velocity + d];
     std::ostringstream message;
     message << "Particle " << stray.id << " at (" << stray.location
-            << ") m with velocity (" << stray.properties[Layout::velocity]
-            << ' ' << stray.properties[Layout::velocity + 1]
-            << ") m/s, last in cell " << stray.cell << ", ";
+            << ") m with velocity (" << velocity << ") m/s, last in cell "
+            << stray.cell << ", ";
     if (location.kind == Location::Kind::invalid)
       message
         << "has a position that is not a number; the run is unstable. Try "

@@ -59,11 +59,10 @@ namespace Sandglass
     make_vector() const;
 
     /// Degrees of freedom of a cell with linear elements, and with quadratic
-    /// ones on a simplex.
-    static constexpr unsigned int n_simplex_dofs = dim * (dim + 1);
-    static constexpr unsigned int n_cube_dofs    = dim << dim;
-    static constexpr unsigned int n_quadratic_dofs =
-      dim * (dim + 1) * (dim + 2) / 2;
+    /// ones, which are for triangles.
+    static constexpr unsigned int n_simplex_dofs   = dim * (dim + 1);
+    static constexpr unsigned int n_cube_dofs      = dim << dim;
+    static constexpr unsigned int n_quadratic_dofs = 12;
 
     /// A cell that this rank owns, or that shares a node with such a cell.
     struct LocalCell
@@ -94,7 +93,7 @@ namespace Sandglass
       return cell.active_cell_index() * quadrature.size() + q;
     }
 
-    /// Direction of a cell's degree of freedom: 0 is x, 1 is y.
+    /// Direction of a cell's degree of freedom: 0 is x, 1 is y, 2 is z.
     unsigned int
     component(const unsigned int i) const
     {
@@ -105,9 +104,10 @@ namespace Sandglass
     const Mapping<dim>                  &mapping;
     const FESystem<dim>                  finite_element;
     /**
-     * For stresses. One point per linear triangle; in quadrilaterals the
-     * centres of four equal parts, where the particle stage's integral has its
-     * points too, so that a state in equilibrium here is so there. In quadratic
+     * For stresses. One point per linear triangle or tetrahedron; in
+     * quadrilaterals the centres of four equal parts (in hexahedra of eight),
+     * where the particle stage's integral has its points too, so that a state
+     * in equilibrium here is so there. In quadratic
      * triangles three points in their inside, exact to degree 2, which is that
      * of a straight triangle's stiffness. deal.II's rule of four points would
      * be exact to degree 3, but results would depend on which vertex comes

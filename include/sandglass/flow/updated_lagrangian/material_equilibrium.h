@@ -276,7 +276,7 @@ namespace Sandglass
         function(std::integral_constant<int, Grid::n_simplex_dofs>());
       else if (n == Grid::n_cube_dofs)
         function(std::integral_constant<int, Grid::n_cube_dofs>());
-      else
+      else if constexpr (dim == 2)
         function(std::integral_constant<int, Grid::n_quadratic_dofs>());
     }
 

@@ -33,16 +33,16 @@ namespace Sandglass
     /// Of a cube; a simplex uses fewer.
     static constexpr unsigned int n_vertices = 1u << dim;
 
-    /// Of a quadratic triangle; other cells use fewer.
-    static constexpr unsigned int most_nodes = 6;
+    /// Of a quadratic triangle or a hexahedron; other cells use fewer.
+    static constexpr unsigned int most_nodes = dim == 2 ? 6 : n_vertices;
 
     struct CellState
     {
       /// At the cell's nodes, in deal.II's order, in m.
       std::array<dealii::Tensor<1, dim>, most_nodes> displacement;
-      /// At the cell's quadrature points (one per triangle, four per
-      /// quadrilateral in deal.II's order, three per quadratic triangle), in
-      /// Pa.
+      /// At the cell's quadrature points (one per triangle or tetrahedron, four
+      /// per quadrilateral and eight per hexahedron in deal.II's order, three
+      /// per quadratic triangle), in Pa.
       std::array<SymmetricComponents<2 * dim>, n_vertices> stress;
       /// Current over initial volume, at the same points.
       std::array<double, n_vertices> volume_ratio;

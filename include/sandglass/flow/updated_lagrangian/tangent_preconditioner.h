@@ -95,9 +95,19 @@ namespace Sandglass
           const DisplacementVector &right_side) override;
 
   private:
+    static constexpr unsigned int n_rigid_modes = dim * (dim + 1) / 2;
+
+    /// Of the undeformed body: translations, then rotations. Without these
+    /// multigrid takes several times as many iterations in space.
+    void
+    find_rigid_modes(const ElementGrid<dim> &grid);
+
     const TangentMatrix<dim>                         &tangent;
     TrilinosWrappers::PreconditionAMG::AdditionalData settings;
     TrilinosWrappers::PreconditionAMG                 multigrid;
+    /// In space, one after the other, of the degrees of freedom that this rank
+    /// owns.
+    std::vector<double> rigid_modes;
   };
 
 

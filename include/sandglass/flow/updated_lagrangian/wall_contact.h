@@ -36,7 +36,8 @@ namespace Sandglass
    * update_contact(). Walls that move later are at rest here.
    *
    * A node with several supports in contact keeps what motion their normals
-   * leave it, and they share its force along these (see corner.h). Where two
+   * leave it, and they share its force along these (see corner.h); along an
+   * edge it rubs against both. Where two
    * walls meet, a node starts on the one that carries more of its weight: at
    * the top of a hopper it can slide, and closes the gap to the vertical wall
    * only if it is pushed there. Likewise nothing starts in contact with a
@@ -179,6 +180,13 @@ namespace Sandglass
                     const SupportSet      active,
                     const Tensor<1, dim> &force,
                     const Tensor<1, dim> &displacement) const;
+    /// Of two supports in space, which leave a node a line to slide along: the
+    /// walls share the friction by their limits.
+    void
+    add_friction_on_edge(Node                 &node,
+                         const SupportSet      active,
+                         const Tensor<1, dim> &force,
+                         const Tensor<1, dim> &increment) const;
 
     const MPI_Comm    communicator;
     const double      tangential_penalty;

@@ -1,5 +1,5 @@
-#ifndef sandglass_scene_section_headroom_h
-#define sandglass_scene_section_headroom_h
+#ifndef sandglass_scene_headroom_h
+#define sandglass_scene_headroom_h
 
 #include <sandglass/scene/mesh.h>
 
@@ -8,7 +8,7 @@ namespace Sandglass
   /**
    * Add empty cells above the faces of the top, in rows as high as these faces
    * are long on average: when an outlet opens, the material that it unloads
-   * throws up the surface. What bounds the section below the ends of the top
+   * throws up the surface. What bounds the mesh below the ends of the top
    * goes on beside these cells, which the new top closes; the old one stays
    * the name of the material's surface.
    *
@@ -16,8 +16,17 @@ namespace Sandglass
    *
    * @param height  of all rows together, in m; 0 leaves the mesh as it is.
    */
+  template <int dim>
   void
-  add_headroom(Mesh<2> &mesh, const double height);
+  add_headroom(Mesh<dim> &mesh, const double height);
+
+  template <>
+  void
+  add_headroom<2>(Mesh<2> &mesh, const double height);
+
+  template <>
+  void
+  add_headroom<3>(Mesh<3> &mesh, const double height);
 } // namespace Sandglass
 
 #endif

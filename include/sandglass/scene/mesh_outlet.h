@@ -1,5 +1,5 @@
-#ifndef sandglass_scene_section_outlet_h
-#define sandglass_scene_section_outlet_h
+#ifndef sandglass_scene_mesh_outlet_h
+#define sandglass_scene_mesh_outlet_h
 
 #include <sandglass/scene/mesh.h>
 #include <sandglass/scene/scene_parameters.h>
@@ -10,14 +10,15 @@
 namespace Sandglass
 {
   /**
-   * An outlet of a mesh: edges that hang together. Lengths in m, both halves
-   * counted where the outlet ends at an axis.
+   * An outlet of a mesh: edges or faces that hang together. Lengths in m, of
+   * the whole outlet where a symmetry plane or axis cuts it.
    */
-  struct SectionOutlet
+  struct MeshOutlet
   {
+    /// In three dimensions the smaller of its lengths along x and z.
     double width = 0.;
-    /// Length of the edges at its lips, the largest one; 0 if no wall ends
-    /// there.
+    /// Length of the edges at its lips, the largest one; in three dimensions
+    /// across the lip. 0 if no wall ends there.
     double edge_at_lip = 0.;
 
     /// Cells across the outlet if all were as large as those at its lips,
@@ -29,9 +30,18 @@ namespace Sandglass
     }
   };
 
-  /// The outlets of a section.
-  std::vector<SectionOutlet>
-  section_outlets(const Mesh<2> &mesh);
+  /// The outlets of a mesh.
+  template <int dim>
+  std::vector<MeshOutlet>
+  mesh_outlets(const Mesh<dim> &mesh);
+
+  template <>
+  std::vector<MeshOutlet>
+  mesh_outlets<2>(const Mesh<2> &mesh);
+
+  template <>
+  std::vector<MeshOutlet>
+  mesh_outlets<3>(const Mesh<3> &mesh);
 
   /**
    * Doubt a mesh whose cells are too large for its outlet: how many there are,
@@ -44,12 +54,6 @@ namespace Sandglass
   doubt_outlet(const SceneParameters    &parameters,
                const Mesh<dim>          &mesh,
                std::vector<std::string> &warnings);
-
-  template <>
-  void
-  doubt_outlet<2>(const SceneParameters    &parameters,
-                  const Mesh<2>            &mesh,
-                  std::vector<std::string> &warnings);
 } // namespace Sandglass
 
 #endif

@@ -1,0 +1,102 @@
+#include <deal.II/base/numbers.h>
+
+#include <sandglass/output/body_reference_pressures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Sandglass
+{
+  namespace
+  {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+    /// What material lets a wall have: on a rougher one it slips in itself,
+    /// since no plane in it bears more friction than tan(phi).
+    double
+    borne_friction(const double              wall_friction,
+                   const MaterialParameters &material)
+    {
+      return std::min(wall_friction,
+                      std::tan(material.internal_friction_angle * numbers::PI /
+                               180.));
+    }
+
+
+
+    Janssen
+    make_janssen(const OutputParameters   &parameters,
+                 const Scene<3>           &scene,
+                 const MaterialParameters &material,
+                 const BodyVerticalPart   &part)
+    {
+      return {material.density * scene.gravity.norm(),
+              part.hydraulic_radius,
+              parameters.lateral_pressure_ratio > 0. ?
+                parameters.lateral_pressure_ratio :
+                Janssen::standard_lateral_pressure_ratio(
+                  material.internal_friction_angle),
+              borne_friction(part.friction_coefficient.value_or(nothing),
+                             material)};
+    }
+
+
+
+    /// The standard's hoppers are wedges, or cones and square pyramids.
+    EurocodePressures::Silo
+    make_silo(const MaterialParameters &material, const BodyVerticalPart &part)
+    {
+      EurocodePressures::Silo silo{part.hopper_is_wedge ?
+                                     Formulation::plane_strain :
+                                     Formulation::axisymmetric,
+                                   part.width,
+                                   part.top - part.foot,
+                                   part.outlet_eccentricity,
+                                   part.hopper_slope,
+                                   material.internal_friction_angle};
+      if (part.hopper_friction_coefficient)
+        silo.hopper_friction_coefficient =
+          borne_friction(*part.hopper_friction_coefficient, material);
+      return silo;
+    }
+  } // namespace
+
+
+
+  BodyReferencePressures::BodyReferencePressures(
+    const OutputParameters   &parameters,
+    const Scene<3>           &scene,
+    const MaterialParameters &material)
+    : part(scene)
+    , janssen(make_janssen(parameters, scene, material, part))
+    , standard(make_silo(material, part), janssen)
+  {}
+
+
+
+  double
+  BodyReferencePressures::janssen_normal(const WallRecord &record) const
+  {
+    if (!part.friction_coefficient)
+      return nothing;
+    const double depth = part.top - record.position[1];
+    return part.has_wall(record)   ? janssen.horizontal_pressure(depth) :
+           part.has_bottom(record) ? janssen.vertical_pressure(depth) :
+                                     nothing;
+  }
+
+
+
+  WallPressure
+  BodyReferencePressures::eurocode(const EurocodePressures::Load load,
+                                   const WallRecord             &record) const
+  {
+    if (!part.friction_coefficient)
+      return {};
+    const double depth = part.top - record.position[1];
+    return part.has_wall(record)   ? standard.on_wall(load, depth) :
+           part.has_hopper(record) ? standard.on_hopper(load, depth) :
+                                     WallPressure();
+  }
+} // namespace Sandglass

@@ -1,0 +1,55 @@
+#include <sandglass/base/exceptions.h>
+#include <sandglass/scene/body_hexahedra.h>
+#include <sandglass/scene/body_tetrahedra.h>
+#include <sandglass/scene/gmsh_mesh.h>
+#include <sandglass/scene/gmsh_options.h>
+#include <sandglass/scene/make_mesh.h>
+#include <sandglass/scene/mesh_cells.h>
+#include <sandglass/scene/name_body_faces.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+
+namespace Sandglass
+{
+  namespace
+  {
+    Mesh<3>
+    mesh_by_gmsh(const SceneParameters &parameters, const SiloBody &body)
+    {
+      GmshSession session;
+      try
+        {
+          call_gmsh([&parameters]() { set_gmsh_options(parameters); });
+          return mesh_body_by_tetrahedra(body, parameters.resolution());
+        }
+      catch (const std::exception &error)
+        {
+          throw InputError("Gmsh can't mesh the silo (" +
+                             std::string(error.what()) +
+                             "); try another Element size, Mesh algorithm or "
+                             "Mesh seed",
+                           "Scene",
+                           "Element size");
+        }
+    }
+  } // namespace
+
+
+
+  template <>
+  Mesh<3>
+  mesh_silo<3>(const SceneParameters &parameters)
+  {
+    const SiloBody body(parameters);
+    Mesh<3>        mesh = parameters.cell_type == CellType::tetrahedron ?
+                            mesh_by_gmsh(parameters, body) :
+                            mesh_body_by_hexahedra(body, parameters.resolution());
+    orient_cells(mesh);
+    name_body_faces(mesh, body);
+    if (!parameters.outlet_is_open)
+      leave_out_fall_region(mesh);
+    return mesh;
+  }
+} // namespace Sandglass
