@@ -84,7 +84,9 @@ TEST_F(SolidKinematics, SmallRotationIsThatOfTheFiniteOneToFirstOrder)
          rotate(stress, SolidRotation<double>::hughes_winget(w)))
           .norm();
       if (last > 0.)
-        EXPECT_NEAR(last / difference, 4., 0.1);
+        {
+          EXPECT_NEAR(last / difference, 4., 0.1);
+        }
       last = difference;
     }
 }

@@ -166,7 +166,9 @@ TEST(SolidFrictionCones, ContainSumsOfWhatTheWallsExertAndNothingElse)
               is_separated = largest <= 0. && v * force > 0.;
             }
           if (is_separated)
-            EXPECT_FALSE(cones.contain(force)) << force;
+            {
+              EXPECT_FALSE(cones.contain(force)) << force;
+            }
         }
     }
 }

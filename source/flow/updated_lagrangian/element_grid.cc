@@ -52,7 +52,7 @@ namespace Sandglass
                                 Point<dim>(2. / 3., 1. / 6.),
                                 Point<dim>(1. / 6., 2. / 3.)},
                                std::vector<double>(3, 1. / 6.));
-      return {};
+      return Quadrature<dim>();
     }
 
 

@@ -68,7 +68,7 @@ namespace Sandglass
       {
         evaluate_corner(node, active, force, displacement);
         if (n_supports(active) < dim)
-          add_friction_on_edge(node, active, force, increment);
+          add_friction_on_edge(node, active, increment);
       }
     else if (active != 0)
       evaluate_sliding(node.equations,

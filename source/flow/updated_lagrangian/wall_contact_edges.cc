@@ -12,7 +12,6 @@ namespace Sandglass
   void
   WallContact<dim>::add_friction_on_edge(Node                 &node,
                                          const SupportSet      active,
-                                         const Tensor<1, dim> &force,
                                          const Tensor<1, dim> &increment) const
   {
     const HeldDirections<dim> held(node.supports, active);

@@ -185,7 +185,6 @@ namespace Sandglass
     void
     add_friction_on_edge(Node                 &node,
                          const SupportSet      active,
-                         const Tensor<1, dim> &force,
                          const Tensor<1, dim> &increment) const;
 
     const MPI_Comm    communicator;
