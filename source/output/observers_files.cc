@@ -62,7 +62,9 @@ namespace Sandglass
       clock,
       view.critical_time_step(is_exact),
       totals(view),
-      {view, history.stagnant_displacement(), symmetry_factor, communicator}};
+      {view, history.stagnant_displacement(), symmetry_factor, communicator},
+      summary.is_fed,
+      summary.has_moving_walls};
     do_and_share_errors(communicator, [&]() { history.add(row); });
     check_dissipation(summary.totals, row);
     update_summary(clock, row.totals);

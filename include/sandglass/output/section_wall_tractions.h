@@ -106,6 +106,15 @@ namespace Sandglass
     std::vector<WallTraction>
     since_last(const double time, const WallRecords &records);
 
+    /// The next means begin where the flow's sums are zero: they have begun
+    /// anew.
+    void
+    start_means_anew()
+    {
+      last_time = 0.;
+      last_impulses.clear();
+    }
+
     /// Write what one of these has returned at this time, in s.
     void
     write(const double time, const std::vector<WallTraction> &tractions);

@@ -24,6 +24,7 @@ namespace Sandglass
     const Clock       clock_before   = time;
     const StepControl control_before = control;
     Settling          result;
+    is_settling                      = true;
     double            kinetic_energy = 0.;
     double            lowest_maximum = std::numeric_limits<double>::infinity();
     unsigned int      n_idle_stops   = 0;
@@ -54,9 +55,11 @@ namespace Sandglass
       }
     stop_particles();
 
+    is_settling         = false;
     time                = clock_before;
     control             = control_before;
     removed             = RemovedMass();
+    outlets.forget_removed();
     plastic_dissipation = 0.;
     particle_steps      = 0;
     contact.forget_records();
