@@ -43,6 +43,63 @@ namespace Sandglass
 
 
 
+    /// The faces between cells that are filled and cells that are so no longer.
+    template <int dim>
+    std::vector<FaceKey<dim>>
+    surface_faces(const Mesh<dim>         &mesh,
+                  const CellsAtFaces<dim> &cells_at,
+                  const std::vector<bool> &was_filled)
+    {
+      std::vector<FaceKey<dim>> faces;
+      for (const auto &[face, cells] : cells_at)
+        if (cells.size() == 2 && was_filled[cells[0]] && was_filled[cells[1]] &&
+            mesh.cells[cells[0]].is_filled != mesh.cells[cells[1]].is_filled)
+          faces.push_back(face);
+      return faces;
+    }
+
+
+
+    template <int dim>
+    std::set<unsigned int>
+    nodes_of(const Mesh<dim> &mesh, const std::vector<FaceKey<dim>> &faces)
+    {
+      std::set<unsigned int> nodes;
+      for (const FaceKey<dim> &face : faces)
+        nodes.insert(face.begin(), face.begin() + mesh.vertices_per_face());
+      return nodes;
+    }
+
+
+
+    /// Empty filled cells, and fill empty ones, that have no other nodes than
+    /// the surface's; returns whether there were any.
+    template <int dim>
+    bool
+    cut_teeth(Mesh<dim>                    &mesh,
+              const std::vector<bool>      &was_filled,
+              const std::set<unsigned int> &nodes)
+    {
+      bool has_cut = false;
+      for (unsigned int i = 0; i < mesh.cells.size(); ++i)
+        {
+          auto &cell = mesh.cells[i];
+          if (was_filled[i] &&
+              std::all_of(cell.vertices.begin(),
+                          cell.vertices.begin() + mesh.vertices_per_cell(),
+                          [&nodes](const unsigned int vertex) {
+                            return nodes.count(vertex) > 0;
+                          }))
+            {
+              cell.is_filled = !cell.is_filled;
+              has_cut        = true;
+            }
+        }
+      return has_cut;
+    }
+
+
+
     [[noreturn]] void
     refuse_height(const std::optional<double> &height,
                   const std::string           &allowed)
@@ -139,15 +196,22 @@ namespace Sandglass
                     "no cell lies below the surface: allowed is a level in the "
                     "silo, above its outlet");
 
-    std::set<unsigned int> nodes;
-    const unsigned int     n = mesh.vertices_per_face();
-    for (const auto &[vertices, cells] : cells_at_faces(mesh))
-      if (cells.size() == 2 && was_filled[cells[0]] && was_filled[cells[1]] &&
-          mesh.cells[cells[0]].is_filled != mesh.cells[cells[1]].is_filled)
-        {
-          mesh.faces.push_back({vertices, BoundaryRole::top});
-          nodes.insert(vertices.begin(), vertices.begin() + n);
-        }
+    // A triangle between surface nodes alone could only be made flat.
+    constexpr unsigned int  most_rounds = 10;
+    const CellsAtFaces<dim> cells_at    = cells_at_faces(mesh);
+    auto                    faces = surface_faces(mesh, cells_at, was_filled);
+    for (unsigned int round = 0;
+         is_simplex(mesh.cell_type) && round < most_rounds;
+         ++round)
+      {
+        const std::set<unsigned int> nodes = nodes_of(mesh, faces);
+        if (!cut_teeth(mesh, was_filled, nodes))
+          break;
+        faces = surface_faces(mesh, cells_at, was_filled);
+      }
+    for (const FaceKey<dim> &face : faces)
+      mesh.faces.push_back({face, BoundaryRole::top});
+    const std::set<unsigned int> nodes = nodes_of(mesh, faces);
     if constexpr (dim == 2)
       move_surface_nodes(mesh, nodes, [&surface](const double x) {
         return surface.height({x, 0.});

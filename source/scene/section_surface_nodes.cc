@@ -42,7 +42,7 @@ namespace Sandglass
       void
       move()
       {
-        constexpr unsigned int n_sweeps = 20;
+        constexpr unsigned int n_sweeps = 60;
         for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
           {
             for (const unsigned int node : surface)
@@ -54,7 +54,7 @@ namespace Sandglass
 
     private:
       /// Of a cell, between 0 (flat) and 1 (square corners).
-      static constexpr double smallest_quality = 0.35;
+      static constexpr double smallest_quality = 0.25;
 
       void
       find_boundary()

@@ -116,7 +116,7 @@ TEST_P(FilledSilo, CellsKeepShape)
             const auto b =
               mesh_.vertices[cell.vertices[(v + n - 1) % n]] - corner;
             EXPECT_GT(a[0] * b[1] - a[1] * b[0],
-                      0.15 * (a.norm_square() + b.norm_square()));
+                      0.12 * (a.norm_square() + b.norm_square()));
           }
     }
 }

@@ -15,13 +15,13 @@ using namespace Sandglass;
 
 namespace
 {
-  GateParameters
-  gate(const std::vector<double> &numbers)
+  struct Gate : GateParameters
   {
-    GateParameters parameters;
-    parameters.openings["outlet"] = numbers;
-    return parameters;
-  }
+    explicit Gate(const std::vector<double> &numbers)
+    {
+      openings["outlet"] = numbers;
+    }
+  };
 
   /// A whole section of squares, its outlet eight of them wide.
   Mesh<2>
@@ -56,7 +56,7 @@ namespace
 // Shares between the times given are linear, before and behind them constant.
 TEST(Gates, ShareOverTime)
 {
-  const GateParameters parameters = gate({1., 20., 3., 100., 3., 50.});
+  const Gate parameters({1., 20., 3., 100., 3., 50.});
   EXPECT_DOUBLE_EQ(parameters.open_share("outlet", 0.), 0.2);
   EXPECT_DOUBLE_EQ(parameters.open_share("outlet", 2.), 0.6);
   EXPECT_DOUBLE_EQ(parameters.open_share("outlet", 3.), 0.5);
@@ -73,7 +73,7 @@ TEST(Gates, ClosedFacesAreWalls)
   const Mesh<2> open = silo();
   for (const double share : {0., 50., 100.})
     {
-      const GateParameters parameters = gate({0., share});
+      const Gate           parameters({0., share});
       const Gates<2>       gates(open, parameters);
       const auto           closed   = gates.closed_at(0.);
       const unsigned int   n_closed = std::count(closed.begin(), closed.end(), true);
@@ -109,8 +109,8 @@ TEST(Gates, OpensFrom)
   using OpensFrom     = GateParameters::OpensFrom;
   const Mesh<2> open  = silo();
   const auto    range = [&](const OpensFrom from) {
-    GateParameters parameters = gate({0., 50.});
-    parameters.opens_from     = from;
+    Gate parameters({0., 50.});
+    parameters.opens_from = from;
     const Gates<2> gates(open, parameters);
     const auto     closed = gates.closed_at(0.);
     double         left = 1., right = -1.;
@@ -143,7 +143,7 @@ TEST(Gates, HalfSection)
   parameters.fall_region_depth = 0.3;
   parameters.element_size      = 0.1;
   const Mesh<2>        open       = mesh_silo<2>(parameters);
-  const GateParameters of_gate    = gate({0., 0., 1., 100.});
+  const Gate           of_gate({0., 0., 1., 100.});
   const Gates<2>       gates(open, of_gate);
   const Mesh<2>        closed = gates.close(gates.closed_at(0.));
   EXPECT_EQ(n_boundary_faces(closed, BoundaryRole::axis),
