@@ -41,8 +41,8 @@ namespace Sandglass
            " still in the silo when the run ended" :
            " stays in the silo");
       if (summary.is_fed)
-      text += "; " + rounded(summary.totals.mass_fed) + " fed";
-    if (summary.totals.mass_lost > 0.)
+        text += "; " + rounded(summary.totals.mass_fed) + " fed";
+      if (summary.totals.mass_lost > 0.)
         text += "; " + rounded(summary.totals.mass_lost) + " lost";
       return text + '\n';
     }

@@ -133,11 +133,8 @@ namespace Sandglass
     slipping_samples.emplace_back(time, row.pattern.slipping_wall_share);
     stagnant_mass = row.pattern.stagnant_mass.value_or(0.);
     flow_rate.add(time, mass);
-    flow_rate_file.add_row({time,
-                            mass,
-                            flow_rate.current(),
-                            beverloo,
-                            row.totals.mass_by_outlet});
+    flow_rate_file.add_row(
+      {time, mass, flow_rate.current(), beverloo, row.totals.mass_by_outlet});
     flow_rate_file.flush();
   }
 
@@ -168,9 +165,9 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                              \
-  template History::History(const OutputParameters &, \
-                            const Scene<dim> &,       \
+#define INSTANTIATE(dim)                                \
+  template History::History(const OutputParameters &,   \
+                            const Scene<dim> &,         \
                             const MaterialParameters &, \
                             const bool);
 

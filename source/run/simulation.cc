@@ -53,14 +53,15 @@ namespace Sandglass
                              const std::vector<bool>         &closed_faces)
   {
     TimerOutput::Scope scope(timings, Timing::set_up);
-    return std::make_unique<Part<dim>>(
-      parameters,
-      gates.are_on() ? gates.close(closed_faces) : mesh,
-      closed_faces,
-      cell_weights,
-      communicator,
-      log,
-      timings);
+    return std::make_unique<Part<dim>>(parameters,
+                                       gates.are_on() ?
+                                         gates.close(closed_faces) :
+                                         mesh,
+                                       closed_faces,
+                                       cell_weights,
+                                       communicator,
+                                       log,
+                                       timings);
   }
 
 
@@ -131,8 +132,7 @@ namespace Sandglass
     if (checkpoint.cell_weights != part->scene.cell_weights ||
         checkpoint.closed_faces != part->closed_faces)
       part = make_part(checkpoint.cell_weights, checkpoint.closed_faces);
-    part->observers.refuse_other_tables(checkpoint.observers,
-                                        place.directory);
+    part->observers.refuse_other_tables(checkpoint.observers, place.directory);
     return checkpoint;
   }
 
@@ -224,9 +224,8 @@ namespace Sandglass
   bool
   Simulation<dim>::have_gates_moved() const
   {
-    return gates.are_on() &&
-           gates.closed_at(part->flow->view().clock().time) !=
-             part->closed_faces;
+    return gates.are_on() && gates.closed_at(part->flow->view().clock().time) !=
+                               part->closed_faces;
   }
 
 

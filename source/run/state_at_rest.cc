@@ -60,13 +60,12 @@ namespace Sandglass
                              Log                         &log,
                              const std::function<void()> &after_load_step)
     {
-      const FillLayers<dim>             layers(part.scene.mesh,
-                                   parameters.scene.n_layers);
+      const FillLayers<dim> layers(part.scene.mesh, parameters.scene.n_layers);
       std::optional<SettledLayers<dim>> settled;
       unsigned int                      n_cells = 0;
       for (unsigned int n = 1; n < layers.n_layers; ++n)
         {
-          const Mesh<dim> mesh = fill_layers(part.scene.mesh, layers, n);
+          const Mesh<dim>    mesh = fill_layers(part.scene.mesh, layers, n);
           const unsigned int n_filled =
             std::count_if(mesh.cells.begin(),
                           mesh.cells.end(),
@@ -175,7 +174,7 @@ namespace Sandglass
     TimerOutput::Scope static_scope(timings, Timing::static_stage);
     if (parameters.flow.method == FlowParameters::Method::updated_lagrangian)
       return find_on_each_rank(parameters, part, log, after_load_step);
-    StaticStage<dim>       static_stage(part.scene,
+    StaticStage<dim> static_stage(part.scene,
                                   parameters.material,
                                   parameters.walls,
                                   parameters.static_stage,

@@ -41,8 +41,8 @@ namespace Sandglass
       return;
     last_step = observers.last_row_step();
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      event = find_event(observers.discharge(),
-                         observers.what_happened().clock.time);
+      event =
+        find_event(observers.discharge(), observers.what_happened().clock.time);
     event = Utilities::MPI::broadcast(communicator, event);
   }
 

@@ -31,8 +31,7 @@ namespace Sandglass
     /// Of a face as seen from above: length in the plane.
     template <int dim>
     double
-    area_from_above(const Mesh<dim>                &mesh,
-                    const typename Mesh<dim>::Face &face)
+    area_from_above(const Mesh<dim> &mesh, const typename Mesh<dim>::Face &face)
     {
       const auto x = [&](const unsigned int v) {
         return mesh.vertices[face.vertices[v]][0];
@@ -130,14 +129,13 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template std::vector<unsigned int> surface_cells<dim>(                  \
-    const Mesh<dim> &);                                                   \
-  template std::vector<unsigned int> top_cells<dim>(const Mesh<dim> &);   \
-  template dealii::Point<dim> middle_of_cell<dim>(const Mesh<dim> &,      \
-                                                  const unsigned int);    \
-  template double opening_area<dim>(const Mesh<dim> &,                    \
-                                    const std::vector<unsigned int> &,    \
+#define INSTANTIATE(dim)                                                                  \
+  template std::vector<unsigned int> surface_cells<dim>(const Mesh<dim> &);               \
+  template std::vector<unsigned int> top_cells<dim>(const Mesh<dim> &);                   \
+  template dealii::Point<dim>        middle_of_cell<dim>(const Mesh<dim> &,               \
+                                                  const unsigned int);             \
+  template double                    opening_area<dim>(const Mesh<dim> &,                 \
+                                    const std::vector<unsigned int> &, \
                                     const Formulation);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)

@@ -95,11 +95,11 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                                              \
-  template class FillLayers<dim>;                                     \
+#define INSTANTIATE(dim)                                               \
+  template class FillLayers<dim>;                                      \
   template void      fit_layers<dim>(Mesh<dim> &, const unsigned int); \
-  template Mesh<dim> fill_layers<dim>(const Mesh<dim> &,              \
-                                      const FillLayers<dim> &,        \
+  template Mesh<dim> fill_layers<dim>(const Mesh<dim> &,               \
+                                      const FillLayers<dim> &,         \
                                       const unsigned int);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)

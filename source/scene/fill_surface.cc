@@ -120,14 +120,13 @@ namespace Sandglass
                                 const SceneParameters &parameters)
     : slope(std::tan(parameters.surface_slope * dealii::numbers::PI / 180.))
   {
-    const Extent extent   = extent_of_material(mesh);
-    const bool   has_axis = std::any_of(mesh.faces.begin(),
-                                      mesh.faces.end(),
-                                      [](const auto &face) {
-                                        return face.role == BoundaryRole::axis;
-                                      });
-    middle                = has_axis ? 0. : (extent.left + extent.right) / 2.;
-    const double width    = extent.right - middle;
+    const Extent extent = extent_of_material(mesh);
+    const bool   has_axis =
+      std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto &face) {
+        return face.role == BoundaryRole::axis;
+      });
+    middle             = has_axis ? 0. : (extent.left + extent.right) / 2.;
+    const double width = extent.right - middle;
     // Mean distance from the middle of a line, or of a circle
     const double mean_distance =
       dim == 3 || parameters.formulation == Formulation::axisymmetric ?
@@ -139,8 +138,8 @@ namespace Sandglass
     if (apex > extent.top + rounding * width)
       {
         std::ostringstream allowed;
-        allowed << "the surface must lie below the silo's top at "
-                << extent.top << " m: allowed are at most "
+        allowed << "the surface must lie below the silo's top at " << extent.top
+                << " m: allowed are at most "
                 << extent.top - slope * mean_distance << " m";
         if (slope > 0.)
           allowed << " with this Surface slope, whose apex is "

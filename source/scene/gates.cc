@@ -38,8 +38,7 @@ namespace Sandglass
 
 
   template <int dim>
-  Gates<dim>::Gates(const Mesh<dim>      &mesh,
-                    const GateParameters &parameters)
+  Gates<dim>::Gates(const Mesh<dim> &mesh, const GateParameters &parameters)
     : mesh(mesh)
     , parameters(parameters)
     , outlets(parameters.are_on() ? find_outlets(mesh) : std::vector<Outlet>())

@@ -16,9 +16,9 @@ namespace Sandglass
 
     /// The cells that hang together with one, itself included.
     std::vector<unsigned int>
-    connected_cells(const unsigned int  start,
-                    const Neighbors    &neighbors,
-                    std::vector<bool>  &is_known)
+    connected_cells(const unsigned int start,
+                    const Neighbors   &neighbors,
+                    std::vector<bool> &is_known)
     {
       std::vector<unsigned int> cells{start};
       is_known[start] = true;
@@ -67,7 +67,7 @@ namespace Sandglass
     const auto              cells_of = [&](const auto &face) {
       const auto entry = cells_at.find(key_of<dim>(face.vertices, n));
       return entry == cells_at.end() ? std::vector<unsigned int>() :
-                                       entry->second;
+                                                    entry->second;
     };
     std::set<FaceKey<dim>> openings;
     for (const auto &face : mesh.faces)
@@ -87,8 +87,7 @@ namespace Sandglass
       if (is_open(face.role))
         for (const unsigned int cell : cells_of(face))
           if (!is_known[cell])
-            outlets.push_back(
-              {connected_cells(cell, neighbors, is_known), {}});
+            outlets.push_back({connected_cells(cell, neighbors, is_known), {}});
     std::sort(outlets.begin(),
               outlets.end(),
               [&mesh](const Outlet &a, const Outlet &b) {

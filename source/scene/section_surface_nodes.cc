@@ -70,9 +70,8 @@ namespace Sandglass
                 {
                   const auto [entry, is_new] =
                     boundary.emplace(vertex, Boundary{tangent});
-                  if (!is_new &&
-                      std::abs(entry->second.tangent * tangent) <
-                        same_direction)
+                  if (!is_new && std::abs(entry->second.tangent * tangent) <
+                                   same_direction)
                     entry->second.is_corner = true;
                 }
             }
@@ -149,12 +148,12 @@ namespace Sandglass
       {
         constexpr double smallest_slope = 0.2;
 
-        Point<2>   place    = mesh.vertices[node];
-        const auto entry    = boundary.find(node);
-        const bool is_fixed = entry != boundary.end() &&
-                              (entry->second.is_corner ||
-                               std::abs(entry->second.tangent[1]) <
-                                 smallest_slope);
+        Point<2>   place = mesh.vertices[node];
+        const auto entry = boundary.find(node);
+        const bool is_fixed =
+          entry != boundary.end() &&
+          (entry->second.is_corner ||
+           std::abs(entry->second.tangent[1]) < smallest_slope);
         if (is_fixed)
           return place;
         const Tensor<1, 2> direction = entry == boundary.end() ?
@@ -162,8 +161,7 @@ namespace Sandglass
                                          entry->second.tangent;
         // The line is straight but for its apex.
         for (unsigned int i = 0; i < 20; ++i)
-          place +=
-            (height(place[0]) - place[1]) / direction[1] * direction;
+          place += (height(place[0]) - place[1]) / direction[1] * direction;
         return std::abs(height(place[0]) - place[1]) <
                    1e-6 * mesh.vertices[node].distance(place) + 1e-12 ?
                  place :
@@ -173,9 +171,9 @@ namespace Sandglass
       void
       approach(const unsigned int node)
       {
-        const Point<2> before  = mesh.vertices[node];
+        const Point<2> before   = mesh.vertices[node];
         const double   at_first = quality_at(node);
-        const Point<2> end     = goal(node);
+        const Point<2> end      = goal(node);
         for (const double share : {1., 0.5, 0.25})
           {
             mesh.vertices[node] = before + share * (end - before);

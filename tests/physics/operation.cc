@@ -126,8 +126,7 @@ TEST_P(Operation, RainHasItsRate)
     }
   // Velocity after a free fall from where it came in, with 1 m/s
   silo.stage->view().for_each_particle([&](const ParticleRecord &particle) {
-    const double height =
-      particle.initial_location[1] - particle.location[1];
+    const double height = particle.initial_location[1] - particle.location[1];
     if (particle.initial_location[1] > 0.9 && particle.location[1] > 0.4)
       EXPECT_NEAR(-particle.velocity[1],
                   std::sqrt(1. + 2. * 9.81 * height),

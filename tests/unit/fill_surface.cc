@@ -105,7 +105,7 @@ TEST_P(FilledSilo, CellsKeepShape)
 {
   for (const double level : {0.55, 0.66, 0.77, 0.88, 1.})
     {
-      silo.fill_height   = level;
+      silo.fill_height         = level;
       const Mesh<2>      mesh_ = mesh();
       const unsigned int n     = mesh_.vertices_per_cell();
       for (const auto &cell : mesh_.cells)
@@ -136,9 +136,8 @@ TEST_P(FilledSilo, Closed)
 
 
 
-INSTANTIATE_TEST_SUITE_P(Section,
-                         FilledSilo,
-                         testing::Combine(
-                           testing::Values(CellType::triangle,
-                                           CellType::quadrilateral),
-                           testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(
+  Section,
+  FilledSilo,
+  testing::Combine(testing::Values(CellType::triangle, CellType::quadrilateral),
+                   testing::Bool()));

@@ -73,10 +73,11 @@ TEST(Gates, ClosedFacesAreWalls)
   const Mesh<2> open = silo();
   for (const double share : {0., 50., 100.})
     {
-      const Gate           parameters({0., share});
-      const Gates<2>       gates(open, parameters);
-      const auto           closed   = gates.closed_at(0.);
-      const unsigned int   n_closed = std::count(closed.begin(), closed.end(), true);
+      const Gate         parameters({0., share});
+      const Gates<2>     gates(open, parameters);
+      const auto         closed = gates.closed_at(0.);
+      const unsigned int n_closed =
+        std::count(closed.begin(), closed.end(), true);
       EXPECT_EQ(n_closed, 8 * (1. - share / 100.));
       const Mesh<2> mesh = gates.close(closed);
       EXPECT_EQ(n_boundary_faces(mesh, BoundaryRole::outlet), n_closed);
@@ -91,8 +92,8 @@ TEST(Gates, ClosedFacesAreWalls)
                 share == 50. ? 4u :
                                0u);
       // Every boundary face has a name.
-      const auto             cells_at = cells_at_faces(mesh);
-      std::set<FaceKey<2>>   named;
+      const auto           cells_at = cells_at_faces(mesh);
+      std::set<FaceKey<2>> named;
       for (const auto &face : mesh.faces)
         named.insert(key_of<2>(face.vertices, 2));
       for (const auto &[face, cells] : cells_at)
@@ -142,10 +143,10 @@ TEST(Gates, HalfSection)
   parameters.outlet_half_width = 0.4;
   parameters.fall_region_depth = 0.3;
   parameters.element_size      = 0.1;
-  const Mesh<2>        open       = mesh_silo<2>(parameters);
-  const Gate           of_gate({0., 0., 1., 100.});
-  const Gates<2>       gates(open, of_gate);
-  const Mesh<2>        closed = gates.close(gates.closed_at(0.));
+  const Mesh<2>  open          = mesh_silo<2>(parameters);
+  const Gate     of_gate({0., 0., 1., 100.});
+  const Gates<2> gates(open, of_gate);
+  const Mesh<2>  closed = gates.close(gates.closed_at(0.));
   EXPECT_EQ(n_boundary_faces(closed, BoundaryRole::axis),
             n_boundary_faces(open, BoundaryRole::axis));
   EXPECT_EQ(n_boundary_faces(closed, BoundaryRole::outlet), 4u);

@@ -37,8 +37,9 @@ namespace Sandglass
    * Halves of a particle have ids of their own: the N initial ones are followed
    * by N for their first halves, N for their second halves, and so on, so that
    * the id modulo N is that of the initial particle. That holds for particles
-   * fed at an initial particle's place as well: each of them and its halves have
-   * the next 256 of such numbers, the first ones again when all have been used.
+   * fed at an initial particle's place as well: each of them and its halves
+   * have the next 256 of such numbers, the first ones again when all have been
+   * used.
    */
   template <typename Kinematics, CellType cell_type>
   class InitialConfiguration
@@ -126,8 +127,8 @@ namespace Sandglass
     /// Enough for seven halvings.
     static constexpr types::particle_index fed_family_size = 256;
 
-    /// Of an id divided by that of the initial particles, what counts the halves
-    /// of one particle.
+    /// Of an id divided by that of the initial particles, what counts the
+    /// halves of one particle.
     types::particle_index
     in_family(const types::particle_index number) const
     {

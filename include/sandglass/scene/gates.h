@@ -55,14 +55,15 @@ namespace Sandglass
     };
 
     bool
-    is_in_opening(const double x, const Extent &extent, const double share)
-      const;
+    is_in_opening(const double  x,
+                  const Extent &extent,
+                  const double  share) const;
 
-    const Mesh<dim>            &mesh;
-    const GateParameters       &parameters;
-    const std::vector<Outlet>   outlets;
-    std::vector<Extent>         extents; ///< of the outlets
-    bool                        has_axis;
+    const Mesh<dim>          &mesh;
+    const GateParameters     &parameters;
+    const std::vector<Outlet> outlets;
+    std::vector<Extent>       extents; ///< of the outlets
+    bool                      has_axis;
   };
 } // namespace Sandglass
 

@@ -65,8 +65,8 @@ namespace Sandglass
     /// In m/s^2.
     std::vector<double> gravity{0., -9.81};
 
-    std::optional<double> fill_height;        ///< none: to the top
-    double                surface_slope = 0.; ///< of a heap, in degrees
+    std::optional<double> fill_height;              ///< none: to the top
+    double                surface_slope       = 0.; ///< of a heap, in degrees
     bool                  is_filled_in_layers = false;
     unsigned int          n_layers            = 10;
 

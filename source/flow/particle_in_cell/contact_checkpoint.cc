@@ -21,7 +21,7 @@ namespace Sandglass
     template <int dim>
     struct SavedNode
     {
-      unsigned int                            vertex; ///< of the scene's mesh
+      unsigned int                            vertex;  ///< of the scene's mesh
       std::vector<Tensor<1, dim>>             normals; ///< of its supports
       std::array<FrictionMemory<dim>, dim>    friction;
       typename WallImpulseSums<dim>::NodeSums impulses;
@@ -76,10 +76,8 @@ namespace Sandglass
   {
     std::vector<SavedNode<dim>> of_rank;
     for (unsigned int n = 0; n < nodes.size(); ++n)
-      of_rank.push_back({nodes[n].vertex,
-                         normals_of(nodes[n]),
-                         memories[n],
-                         sums.at_nodes[n]});
+      of_rank.push_back(
+        {nodes[n].vertex, normals_of(nodes[n]), memories[n], sums.at_nodes[n]});
     archive << summed_time << time_step
             << gather_on_first(of_rank, scene.communicator)
             << Utilities::MPI::gather(scene.communicator, sums.on_particles);
@@ -107,9 +105,8 @@ namespace Sandglass
           continue; // on a gate that has closed
         const SavedNode<dim> &node    = *entry->second;
         const auto            normals = normals_of(nodes[n]);
-        memories[n] = in_directions(normals, node.normals, node.friction);
-        sums.at_nodes[n] =
-          in_directions(normals, node.normals, node.impulses);
+        memories[n]      = in_directions(normals, node.normals, node.friction);
+        sums.at_nodes[n] = in_directions(normals, node.normals, node.impulses);
       }
 
     // A rank's own sums, or on another number of ranks all on rank 0.

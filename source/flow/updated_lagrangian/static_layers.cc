@@ -37,8 +37,7 @@ namespace Sandglass
 
     template <int dim>
     std::vector<double>
-    from_scene(const FilledGrid<dim>     &grid,
-               const std::vector<double> &values)
+    from_scene(const FilledGrid<dim> &grid, const std::vector<double> &values)
     {
       std::vector<double> result(dim * grid.scene_vertices.size(), 0.);
       for (unsigned int v = 0; v < grid.scene_vertices.size(); ++v)
@@ -58,16 +57,17 @@ namespace Sandglass
 
     const std::size_t  n_vertices = scene.mesh.vertices.size();
     SettledLayers<dim> result;
-    result.effort       = effort;
-    result.displacement = to_scene(filled_grid,
-                                   values_at_vertices(filled_grid, displacement),
-                                   n_vertices);
-    result.weight       = to_scene(
-      filled_grid,
-      values_at_vertices(filled_grid,
-                         settled_weight ? *whole_weight :
-                                                equilibrium->weight()),
-      n_vertices);
+    result.effort = effort;
+    result.displacement =
+      to_scene(filled_grid,
+               values_at_vertices(filled_grid, displacement),
+               n_vertices);
+    result.weight =
+      to_scene(filled_grid,
+               values_at_vertices(filled_grid,
+                                  settled_weight ? *whole_weight :
+                                                   equilibrium->weight()),
+               n_vertices);
 
     std::vector<std::pair<unsigned int, std::vector<Point>>> of_rank;
     const StaticState<dim> state = make_state();
@@ -81,10 +81,9 @@ namespace Sandglass
           for (unsigned int q = 0; q < filled_grid.quadrature.size(); ++q)
             {
               const double *stress = of_cell.stress[q].data();
-              points.push_back(
-                {{stress, stress + of_cell.stress[q].size()},
-                 of_cell.volume_ratio[q],
-                 of_cell.law_state[q]});
+              points.push_back({{stress, stress + of_cell.stress[q].size()},
+                                of_cell.volume_ratio[q],
+                                of_cell.law_state[q]});
             }
           of_rank.emplace_back(index, points);
         }
@@ -110,8 +109,9 @@ namespace Sandglass
   void
   StaticStage<dim>::place_on(const SettledLayers<dim> &layers)
   {
-    displacement   = vector_of_values(filled_grid,
-                                    from_scene(filled_grid, layers.displacement));
+    displacement =
+      vector_of_values(filled_grid,
+                       from_scene(filled_grid, layers.displacement));
     whole_weight   = std::make_unique<Vector>(equilibrium->weight());
     settled_weight = std::make_unique<Vector>(
       vector_of_values(filled_grid, from_scene(filled_grid, layers.weight)));
@@ -122,7 +122,7 @@ namespace Sandglass
       scene_cells.push_back(cell);
     for (const auto &local_cell : filled_grid.local_cells)
       {
-        const auto        &cell  = local_cell.cell;
+        const auto        &cell = local_cell.cell;
         const unsigned int index =
           filled_grid.scene_cells[cell->active_cell_index()];
         const auto &points = layers.points[index];
@@ -157,8 +157,8 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template SettledLayers<dim> StaticStage<dim>::settled_layers() const;        \
+#define INSTANTIATE(dim)                                                \
+  template SettledLayers<dim> StaticStage<dim>::settled_layers() const; \
   template void StaticStage<dim>::place_on(const SettledLayers<dim> &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)

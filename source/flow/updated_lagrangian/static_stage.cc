@@ -112,7 +112,7 @@ namespace Sandglass
           is_fully_loaded() ? 0. : std::min(load_step, 1. - load_share);
         const double     goal      = load_share + step;
         Vector           increment = predictor.predict(step);
-        const RestResult result = solve(goal, increment);
+        const RestResult result    = solve(goal, increment);
 
         count(goal, result);
         if (result.is_acceptable)

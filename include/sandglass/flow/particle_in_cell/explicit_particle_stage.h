@@ -163,11 +163,11 @@ namespace Sandglass
     using Stage::contact;
     using Stage::control;
     using Stage::fields;
+    using Stage::outlets;
     using Stage::parameters;
     using Stage::particle_steps;
     using Stage::plastic_dissipation;
     using Stage::removed;
-    using Stage::outlets;
     using Stage::scene;
     using Stage::time;
 

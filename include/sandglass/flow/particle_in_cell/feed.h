@@ -63,10 +63,9 @@ namespace Sandglass
     {
       if (!is_on())
         return;
-      const auto opening =
-        parameters.kind == FeedKind::level ?
-          surface_cells(scene.mesh) :
-          top_cells(scene.mesh);
+      const auto opening = parameters.kind == FeedKind::level ?
+                             surface_cells(scene.mesh) :
+                             top_cells(scene.mesh);
       for (const unsigned int cell : opening)
         if (parameters.is_in_opening(middle_of_cell(scene.mesh, cell)[0]))
           cells.push_back(cell);
@@ -152,8 +151,8 @@ namespace Sandglass
         volume += initial_configuration.volume(id(cell, k));
       blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
         const auto &values = blocks[slot.block].values;
-        volume -= values[Block::mass][slot.lane] /
-                  values[Block::density][slot.lane];
+        volume -=
+          values[Block::mass][slot.lane] / values[Block::density][slot.lane];
       });
       for (const Parcel &parcel : entering)
         if (parcel.cell == cell)
@@ -187,10 +186,10 @@ namespace Sandglass
           const Point<dim> place = initial_configuration.position(id(cell, k));
           double           nearest = std::numeric_limits<double>::max();
           blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-            nearest = std::min(
-              nearest,
-              place.distance_square(
-                blocks[slot.block].point(Block::location, slot.lane)));
+            nearest =
+              std::min(nearest,
+                       place.distance_square(
+                         blocks[slot.block].point(Block::location, slot.lane)));
           });
           for (const Parcel &parcel : entering)
             if (parcel.cell == cell)
@@ -221,8 +220,7 @@ namespace Sandglass
 
     /// As many as there are places if none has room.
     unsigned int
-    emptiest_place_if_room(const Blocks      &blocks,
-                           const unsigned int cell) const
+    emptiest_place_if_room(const Blocks &blocks, const unsigned int cell) const
     {
       const unsigned int n        = initial_configuration.points.size();
       const double       room     = free_volume(blocks, cell);
@@ -245,9 +243,9 @@ namespace Sandglass
       for (unsigned long i = n_due(clock.time); i < last; ++i)
         {
           const Place &place = places[i % places.size()];
-          if (place.is_own && free_volume(blocks, place.cell) >=
-                                initial_configuration.volume(
-                                  id(place.cell, place.k)))
+          if (place.is_own &&
+              free_volume(blocks, place.cell) >=
+                initial_configuration.volume(id(place.cell, place.k)))
             add(place.cell, place.k, i / places.size(), velocity);
         }
     }
@@ -256,8 +254,8 @@ namespace Sandglass
     unsigned long
     n_due(const double time) const
     {
-      const double end  = parameters.end ? std::min(time, *parameters.end) :
-                                           time;
+      const double end =
+        parameters.end ? std::min(time, *parameters.end) : time;
       const double mass = rate * (end - parameters.start);
       if (mass <= 0.)
         return 0;
@@ -300,9 +298,8 @@ namespace Sandglass
     void
     check_rate(const Scene<dim> &scene) const
     {
-      const double largest =
-        density * parameters.speed *
-        opening_area(scene.mesh, cells, scene.formulation);
+      const double largest = density * parameters.speed *
+                             opening_area(scene.mesh, cells, scene.formulation);
       if (rate <= largest)
         return;
       std::ostringstream value, allowed;

@@ -171,8 +171,8 @@ namespace Sandglass
     virtual void
     sum_over_particles() = 0;
 
-    /// How many particles have been fed at each place of this rank: pairs of the
-    /// initial particle's id there and a number.
+    /// How many particles have been fed at each place of this rank: pairs of
+    /// the initial particle's id there and a number.
     virtual FedNumbers
     fed_numbers() const = 0;
 

@@ -81,7 +81,7 @@ namespace Sandglass
     std::vector<StageSums> sums;
     std::vector<Parcel>    parcels;
     std::vector<double>    cell_sums;
-    FedNumbers          fed;
+    FedNumbers             fed;
     archive >> time >> control >> sums >> parcels >> cell_sums >> fed;
     set_fed_numbers(fed);
     contact.load(archive);
