@@ -105,6 +105,7 @@ struct StageFixture
   Sandglass::FlowParameters              flow_parameters;
   Sandglass::UpdatedLagrangianParameters updated_lagrangian;
   Sandglass::StaticStageParameters       static_stage;
+  Sandglass::FeedParameters              feed;
   std::ostringstream                     log_text;
   dealii::ConditionalOStream             no_log{log_text, false};
 
@@ -136,7 +137,7 @@ struct StageFixture
       of_scene,
       material,
       walls,
-      {flow_parameters, parameters, updated_lagrangian, static_stage},
+      {flow_parameters, parameters, updated_lagrangian, static_stage, feed},
       no_log);
   }
 

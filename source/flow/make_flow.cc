@@ -28,7 +28,7 @@ namespace Sandglass
       choose_cell_type<dim>(scene.mesh.cell_type, [&](const auto cells) {
         flow = make_particle_stage<typename decltype(kinematics)::Type,
                                    decltype(cells)::Type::value>(
-          scene, material, walls, choice.particle_stage);
+          scene, material, walls, choice.particle_stage, choice.feed);
       });
     });
     return flow;

@@ -41,6 +41,8 @@ namespace Sandglass
         (std::isnan(summary.flow.discharge_time) ?
            " still in the silo when the run ended" :
            " stays in the silo");
+      if (summary.is_fed)
+        text += "; " + rounded(summary.totals.mass_fed) + " fed";
       if (summary.totals.mass_lost > 0.)
         text += "; " + rounded(summary.totals.mass_lost) + " lost";
       return text + '\n';
@@ -113,6 +115,9 @@ namespace Sandglass
                 const std::string           &directory)
   {
     std::string text;
+    if (!summary.ended_by.empty())
+      text += "Ended at t = " + rounded(summary.clock.time) +
+              " s: " + summary.ended_by + '\n';
     if (summary.has_flow_rate)
       text += masses(summary) + flow_rate(summary, beverloo);
     if (summary.flow_kind && !summary.flow_kind->name.empty())

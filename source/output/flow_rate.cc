@@ -160,6 +160,25 @@ namespace Sandglass
 
 
   double
+  FlowRate::spread(const double start) const
+  {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0.;
+    for (std::size_t i = samples.size() - 1;
+         i > 0 && i < samples.size() && samples[i].time >= start;
+         --i)
+      {
+        const double of_window = rate(window_start(i), i);
+        smallest               = std::min(smallest, of_window);
+        largest                = std::max(largest, of_window);
+      }
+    return samples.empty() || samples.front().time > start || smallest <= 0. ?
+             std::numeric_limits<double>::infinity() :
+             (largest - smallest) / (largest + smallest);
+  }
+
+
+
+  double
   FlowRate::discharge_time() const
   {
     const double time = time_of_share(0.999);

@@ -3,18 +3,48 @@
 #include <sandglass/choices.h>
 #include <sandglass/output/history.h>
 #include <sandglass/output/silo_measures.h>
+#include <sandglass/scene/outlets.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Sandglass
 {
   namespace
   {
+    template <int dim>
+    bool
+    have_moving(const std::vector<Wall<dim>> &walls)
+    {
+      return std::any_of(walls.begin(), walls.end(), [](const Wall<dim> &wall) {
+        return wall.velocity.norm() > 0.;
+      });
+    }
+
+
+
+    /// A row of a run with as many outlets.
+    template <int dim>
+    FlowRateRow
+    example_of_flow_rate(const Scene<dim> &scene)
+    {
+      FlowRateRow       row{};
+      const std::size_t n_outlets = find_outlets(scene.mesh).size();
+      row.mass_by_outlet.resize(n_outlets > 1 ? n_outlets : 0);
+      return row;
+    }
+
+
+
     /// A row of a run that asks for the stagnant mass or doesn't.
     HistoryRow
-    example_row(const bool has_stagnant_mass)
+    example_row(const bool has_stagnant_mass,
+                const bool is_fed,
+                const bool has_moving_walls)
     {
       HistoryRow row{};
+      row.is_fed           = is_fed;
+      row.has_moving_walls = has_moving_walls;
       if (has_stagnant_mass)
         row.pattern.stagnant_mass = 0.;
       return row;
@@ -38,17 +68,20 @@ namespace Sandglass
   template <int dim>
   History::History(const OutputParameters   &parameters,
                    const Scene<dim>         &scene,
-                   const MaterialParameters &material)
+                   const MaterialParameters &material,
+                   const bool                is_fed)
     : is_writer(Utilities::MPI::this_mpi_process(scene.communicator) == 0)
     , has_open_outlet(SiloMeasures<dim>(scene).has_open_outlet)
     , largest_stagnant_displacement(
         Sandglass::stagnant_displacement(parameters, SiloMeasures<dim>(scene)))
     , history_file(parameters.directory + "/history.csv",
                    history_table,
-                   example_row(largest_stagnant_displacement > 0.))
+                   example_row(largest_stagnant_displacement > 0.,
+                               is_fed,
+                               have_moving(scene.walls)))
     , flow_rate_file(parameters.directory + "/flow_rate.csv",
                      flow_rate_table,
-                     FlowRateRow())
+                     example_of_flow_rate(scene))
     , flow_rate(parameters.flow_rate_window)
   {
     const SiloMeasures<dim> measures(scene);
@@ -98,7 +131,8 @@ namespace Sandglass
     slipping_samples.emplace_back(time, row.pattern.slipping_wall_share);
     stagnant_mass = row.pattern.stagnant_mass.value_or(0.);
     flow_rate.add(time, mass);
-    flow_rate_file.add_row({time, mass, flow_rate.current(), beverloo});
+    flow_rate_file.add_row(
+      {time, mass, flow_rate.current(), beverloo, row.totals.mass_by_outlet});
     flow_rate_file.flush();
   }
 
@@ -129,10 +163,11 @@ namespace Sandglass
 
 
 
-#define INSTANTIATE(dim)                              \
-  template History::History(const OutputParameters &, \
-                            const Scene<dim> &,       \
-                            const MaterialParameters &);
+#define INSTANTIATE(dim)                                \
+  template History::History(const OutputParameters &,   \
+                            const Scene<dim> &,         \
+                            const MaterialParameters &, \
+                            const bool);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -62,6 +62,17 @@ namespace Sandglass
      [](const HistoryRow &r) { return r.totals.mass_lost; },
      "that left the grid elsewhere than through the fall region's sides and "
      "bottom"},
+    {"mass_fed_kg",
+     "kg",
+     [](const HistoryRow &r) { return r.totals.mass_fed; },
+     "that has entered since the start; with `Feed/Kind` other than `none`",
+     [](const HistoryRow &r) { return r.is_fed; }},
+    {"wall_work_J",
+     "J",
+     [](const HistoryRow &r) { return r.totals.wall_work; },
+     "that moving walls have done on the material since the start; its growth "
+     "over time is the power of a belt. With `Walls/Velocities`",
+     [](const HistoryRow &r) { return r.has_moving_walls; }},
     {"largest_speed_m_per_s",
      "m/s",
      [](const HistoryRow &r) { return r.totals.largest_speed; },
@@ -79,6 +90,26 @@ namespace Sandglass
      "what has not begun to move, and the settlement at rest counts as motion. "
      "0 leaves the column out",
      [](const HistoryRow &r) { return r.pattern.stagnant_mass.has_value(); }}};
+
+
+
+  namespace
+  {
+    /// What has come through one of several outlets, for the first eight.
+    template <unsigned int outlet>
+    Column<FlowRateRow>
+    outlet_column(const char *name)
+    {
+      return {name,
+              "kg",
+              [](const FlowRateRow &r) { return r.mass_by_outlet[outlet]; },
+              "the part of the discharged mass that has passed this outlet, "
+              "counted from the left; where there are so many",
+              [](const FlowRateRow &r) {
+                return r.mass_by_outlet.size() > outlet;
+              }};
+    }
+  } // namespace
 
 
 
@@ -106,5 +137,13 @@ namespace Sandglass
     {"beverloo_0.2_kg_per_s",
      "kg/s",
      [](const FlowRateRow &r) { return r.beverloo[2]; },
-     "the same for grains of 0.2 outlet widths"}};
+     "the same for grains of 0.2 outlet widths"},
+    outlet_column<0>("discharged_mass_outlet_1_kg"),
+    outlet_column<1>("discharged_mass_outlet_2_kg"),
+    outlet_column<2>("discharged_mass_outlet_3_kg"),
+    outlet_column<3>("discharged_mass_outlet_4_kg"),
+    outlet_column<4>("discharged_mass_outlet_5_kg"),
+    outlet_column<5>("discharged_mass_outlet_6_kg"),
+    outlet_column<6>("discharged_mass_outlet_7_kg"),
+    outlet_column<7>("discharged_mass_outlet_8_kg")};
 } // namespace Sandglass

@@ -20,6 +20,7 @@ namespace Sandglass
                             const Resolution         &resolution,
                             const MaterialParameters &material,
                             const double              end_time,
+                            const bool                is_fed,
                             Log                      &log,
                             TimerOutput              &timings)
     : parameters(parameters)
@@ -32,7 +33,7 @@ namespace Sandglass
     , history_times(parameters.history_interval)
     , field_times(parameters.interval)
     , progress(log, timings, parameters.progress_interval, end_time)
-    , history(parameters, scene, material)
+    , history(parameters, scene, material, is_fed)
     , particles(parameters.directory, "particles", communicator)
     , grid(parameters.directory, "grid", communicator)
     , wall_tractions(parameters, scene, material)
@@ -43,6 +44,10 @@ namespace Sandglass
     summary.n_cells       = scene.triangulation.n_active_cells();
     summary.resolution    = resolution;
     summary.has_flow_rate = SiloMeasures<dim>(scene).has_open_outlet;
+    summary.is_fed        = is_fed;
+    for (const Wall<dim> &wall : scene.walls)
+      summary.has_moving_walls =
+        summary.has_moving_walls || wall.velocity.norm() > 0.;
   }
 
 
@@ -214,8 +219,9 @@ namespace Sandglass
 
   template <int dim>
   void
-  Observers<dim>::finish()
+  Observers<dim>::finish(const std::string &event)
   {
+    summary.ended_by = event.empty() ? "the end time has come" : event;
     write_summary(Status::finished);
     timings.print_summary();
     if (log.stream().is_active())

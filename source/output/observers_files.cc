@@ -88,7 +88,9 @@ namespace Sandglass
                             [this](const ParticleRecord &particle) {
                               design.add(particle);
                             } :
-                            std::function<void(const ParticleRecord &)>()}};
+                            std::function<void(const ParticleRecord &)>()},
+                         summary.is_fed,
+                         summary.has_moving_walls};
     design.end_row(clock.time);
     do_and_share_errors(communicator, [&]() {
       history.add(row);

@@ -10,9 +10,8 @@ namespace Sandglass
   double
   Summary::mass_balance_error() const
   {
-    return initial_mass > 0. ?
-             std::abs(totals.mass() - initial_mass) / initial_mass :
-             0.;
+    const double all = initial_mass + totals.mass_fed;
+    return all > 0. ? std::abs(totals.mass() - all) / all : 0.;
   }
 
 

@@ -8,11 +8,13 @@ namespace Sandglass
   template <int dim>
   Part<dim>::Part(const Parameters                &parameters,
                   const Mesh<dim>                 &mesh,
+                  const std::vector<bool>         &closed_faces,
                   const std::vector<unsigned int> &cell_weights,
                   const MPI_Comm                   communicator,
                   Log                             &log,
                   TimerOutput                     &timings)
-    : scene(mesh,
+    : closed_faces(closed_faces)
+    , scene(mesh,
             parameters.walls,
             parameters.scene.formulation,
             parameters.scene.resolution().particles_per_cell,
@@ -26,13 +28,15 @@ namespace Sandglass
                      {parameters.flow,
                       parameters.particle_stage,
                       parameters.updated_lagrangian,
-                      parameters.static_stage},
+                      parameters.static_stage,
+                      parameters.feed},
                      log.stream()))
     , observers(parameters.output,
                 scene,
                 parameters.scene.resolution(),
                 parameters.material,
                 parameters.particle_stage.end_time,
+                parameters.feed.kind != FeedKind::none,
                 log,
                 timings)
   {}
@@ -46,6 +50,7 @@ namespace Sandglass
     Checkpoint checkpoint;
     checkpoint.time         = flow->view().clock().time;
     checkpoint.cell_weights = scene.cell_weights;
+    checkpoint.closed_faces = closed_faces;
     checkpoint.balance      = balance;
     checkpoint.flow         = saved_state(*flow);
     checkpoint.observers    = observers.archived();

@@ -8,6 +8,7 @@
 #include <sandglass/output/silo_measures.h>
 #include <sandglass/run/state_at_rest.h>
 #include <sandglass/run/static_to_particles.h>
+#include <sandglass/scene/fill_layers.h>
 
 #include <algorithm>
 
@@ -46,6 +47,55 @@ namespace Sandglass
         }
       check_settlement(state, scene, material, log.stream());
       return state;
+    }
+
+
+
+    /// Place layer on layer, but for the last one: what that has to lie on, if
+    /// there is something.
+    template <int dim>
+    std::optional<SettledLayers<dim>>
+    fill_all_layers_but_last(const Parameters            &parameters,
+                             Part<dim>                   &part,
+                             Log                         &log,
+                             const std::function<void()> &after_load_step)
+    {
+      const FillLayers<dim> layers(part.scene.mesh, parameters.scene.n_layers);
+      std::optional<SettledLayers<dim>> settled;
+      unsigned int                      n_cells = 0;
+      for (unsigned int n = 1; n < layers.n_layers; ++n)
+        {
+          const Mesh<dim>    mesh = fill_layers(part.scene.mesh, layers, n);
+          const unsigned int n_filled =
+            std::count_if(mesh.cells.begin(),
+                          mesh.cells.end(),
+                          [](const auto &cell) { return cell.is_filled; });
+          if (n_filled == n_cells)
+            continue; // a layer thinner than cells are high
+          n_cells = n_filled;
+          log.stream() << "Layer " << n << " of " << layers.n_layers
+                       << std::endl;
+          const Scene<dim> scene(mesh,
+                                 parameters.walls,
+                                 part.scene.formulation,
+                                 part.scene.particles_per_cell,
+                                 part.scene.gravity,
+                                 part.scene.communicator,
+                                 part.scene.partitioner,
+                                 part.scene.cell_weights);
+          StaticStage<dim> stage(scene,
+                                 parameters.material,
+                                 parameters.walls,
+                                 parameters.static_stage,
+                                 log.stream());
+          if (settled)
+            stage.place_on(*settled);
+          stage.run([&](const double) { after_load_step(); });
+          settled = stage.settled_layers();
+        }
+      log.stream() << "Layer " << layers.n_layers << " of " << layers.n_layers
+                   << std::endl;
+      return settled;
     }
 
 
@@ -124,11 +174,15 @@ namespace Sandglass
     TimerOutput::Scope static_scope(timings, Timing::static_stage);
     if (parameters.flow.method == FlowParameters::Method::updated_lagrangian)
       return find_on_each_rank(parameters, part, log, after_load_step);
-    StaticStage<dim>       static_stage(part.scene,
+    StaticStage<dim> static_stage(part.scene,
                                   parameters.material,
                                   parameters.walls,
                                   parameters.static_stage,
                                   log.stream());
+    if (parameters.scene.is_filled_in_layers)
+      if (const auto layers =
+            fill_all_layers_but_last(parameters, part, log, after_load_step))
+        static_stage.place_on(*layers);
     const StaticState<dim> state =
       settle(static_stage, part.scene, parameters, log, after_load_step);
     carry_to_particles(state,

@@ -29,9 +29,9 @@ namespace Sandglass
         };
       if (body.has_hopper())
         add(0., body.hopper_height, at_lip);
-      if (body.fill_height > body.hopper_height)
+      if (body.silo_height > body.hopper_height)
         add(body.hopper_height,
-            body.fill_height,
+            body.silo_height,
             body.has_hopper() ? size : at_lip);
       return heights;
     }

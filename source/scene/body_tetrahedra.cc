@@ -34,9 +34,9 @@ namespace Sandglass
       {
         gmsh::model::add("silo");
         gmsh::vectorpair solids;
-        if (body.fill_height > body.hopper_height)
+        if (body.silo_height > body.hopper_height)
           solids.push_back(
-            upright(body.wall, body.hopper_height, body.fill_height));
+            upright(body.wall, body.hopper_height, body.silo_height));
         if (body.has_hopper())
           solids.push_back(hopper());
         solids.push_back(upright(body.outlet, -body.fall_region_depth, 0.));

@@ -3,6 +3,8 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
 #include <sandglass/scene/check_mesh.h>
+#include <sandglass/scene/fill_layers.h>
+#include <sandglass/scene/fill_surface.h>
 #include <sandglass/scene/gmsh_mesh.h>
 #include <sandglass/scene/gmsh_options.h>
 #include <sandglass/scene/headroom.h>
@@ -132,6 +134,9 @@ namespace Sandglass
                            read_mesh<dim>(parameters, found);
           check_gravity(parameters, result.first);
           add_headroom(result.first, parameters.headroom_height());
+          fill_to_surface(result.first, parameters);
+          if (parameters.is_filled_in_layers)
+            fit_layers(result.first, parameters.n_layers);
           sort_along_curve(result.first);
           doubt_lengths(result.first, found);
           doubt_outlet(parameters, result.first, found);

@@ -25,7 +25,7 @@ namespace Sandglass
           for (const double level : {-body.fall_region_depth,
                                      0.,
                                      body.hopper_height,
-                                     body.fill_height})
+                                     body.silo_height})
             put_at(vertex[1], level);
           if (body.ends_at_plane[0])
             put_at(vertex[0], 0.);
@@ -44,7 +44,7 @@ namespace Sandglass
       for (const unsigned int plane : {0u, 1u})
         if (body.ends_at_plane[plane] && upper[2 * plane] == 0.)
           return BoundaryRole::axis;
-      if (lower[1] == body.fill_height)
+      if (lower[1] == body.silo_height)
         return BoundaryRole::top;
       if (upper[1] == -body.fall_region_depth)
         return BoundaryRole::fall_bottom;

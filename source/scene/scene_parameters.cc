@@ -50,8 +50,45 @@ namespace Sandglass
                wall_height,
                Bounds::at_least(0.),
                "m",
-               "Height of the vertical wall; the material fills it. With a "
-               "hopper it may be 0: then there is no such wall.");
+               "Height of the vertical wall. With a hopper it may be 0: then "
+               "there is no such wall.");
+    const OptionalNumber level_or_full(Bounds::greater_than(0.), "full");
+    enter_my_subsection(prm);
+    prm.declare_entry(
+      "Fill height",
+      "full",
+      level_or_full,
+      "Level of the material above the outlet at the start, or `full`: to the "
+      "silo's top. Of a heap it is the level of the same volume between "
+      "vertical walls. Units: m.");
+    prm.add_action("Fill height",
+                   [this, level_or_full](const std::string &text) {
+                     fill_height = level_or_full.parse(text);
+                   });
+    leave_my_subsection(prm);
+    add_selection<bool>(
+      *this,
+      "Filling",
+      is_filled_in_layers,
+      {{"at once", false}, {"in layers", true}},
+      "How the state at rest comes about: all material gets its weight at the "
+      "same time, or layers are placed on each other, each without stress in "
+      "the configuration that those below it have under their weight "
+      "(Flow/Method = particle-in-cell only).");
+    add_integer(*this,
+                "Layers",
+                n_layers,
+                1,
+                1000,
+                "Number of layers of equal height, for Filling = in layers.");
+    add_number(*this,
+               "Surface slope",
+               surface_slope,
+               Bounds::at_least_below(0., 90.),
+               "degrees",
+               "Angle by which the material's surface falls at the start from "
+               "the silo's middle to its walls: 0 where it is level, the angle "
+               "of repose of a heap.");
     add_number(
       *this,
       "Outlet half width",
@@ -99,7 +136,7 @@ namespace Sandglass
       "m",
       "Height of empty cells above the material, into which its surface may be "
       "thrown when the outlet opens; `auto`: a fifth of the half width where "
-      "Element size is `auto` and Shape = silo, else 0.");
+      "Element size is `auto`, Shape = silo and Fill height = full, else 0.");
     add_automatic_number(
       *this,
       "Element size",
@@ -229,7 +266,9 @@ namespace Sandglass
   SceneParameters::headroom_height() const
   {
     const bool is_automatic = shape == Shape::silo && !element_size;
-    return headroom.value_or(is_automatic ? automatic_headroom(*this) : 0.);
+    const bool has_room     = fill_height.has_value() || surface_slope > 0.;
+    return headroom.value_or(
+      is_automatic && !has_room ? automatic_headroom(*this) : 0.);
   }
 
 

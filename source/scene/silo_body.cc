@@ -48,7 +48,7 @@ namespace Sandglass
     , outlet(outlet_outline(parameters))
     , outlet_is_slot(parameters.outlet_shape == Parameters::OutletShape::slot)
     , hopper_height(parameters.hopper_height)
-    , fill_height(parameters.fill_height())
+    , silo_height(parameters.silo_height())
     , fall_region_depth(parameters.fall_region_depth)
     , ends_at_plane(parameters.symmetry_planes())
   {}
@@ -71,7 +71,7 @@ namespace Sandglass
   SiloBody::filled_volume() const
   {
     const double top = wall.area(), bottom = outlet.area();
-    return top * (fill_height - hopper_height) +
+    return top * (silo_height - hopper_height) +
            hopper_height / 3. * (top + bottom + std::sqrt(top * bottom));
   }
 

@@ -113,7 +113,7 @@ namespace Sandglass
       add_outlines()
       {
         const double e = parameters.hopper_height;
-        const double h = parameters.fill_height();
+        const double h = parameters.silo_height();
 
         const int left_lip  = point(outlet_left, 0.);
         const int right_lip = point(outlet_right, 0.);
@@ -212,7 +212,7 @@ namespace Sandglass
                         const int outlet)
       {
         const double e = parameters.hopper_height;
-        const double h = parameters.fill_height();
+        const double h = parameters.silo_height();
 
         const double outlet_width = outlet_right - outlet_left;
         const double width        = right_end - left_end;
@@ -255,7 +255,7 @@ namespace Sandglass
       add_columns(const int left_lip, const int right_lip, const int outlet)
       {
         const double       e        = parameters.hopper_height;
-        const double       h        = parameters.fill_height();
+        const double       h        = parameters.silo_height();
         const unsigned int n_outlet = n_cells_along(outlet_right - outlet_left);
         const unsigned int n_height =
           n_cells_along((parameters.wall_height + h) / 2.);

@@ -63,7 +63,7 @@ namespace
     relative_kinetic_energy() const
     {
       return silo.totals().kinetic_energy /
-             (silo.initial_mass * 9.81 * silo.scene.fill_height() / 2.);
+             (silo.initial_mass * 9.81 * silo.scene.silo_height() / 2.);
     }
 
     double

@@ -57,7 +57,7 @@ struct SmallSilo
   run_until(const double time)
   {
     const double free_fall =
-      std::sqrt(2. * 9.81 * (scene.fill_height() + scene.fall_region_depth));
+      std::sqrt(2. * 9.81 * (scene.silo_height() + scene.fall_region_depth));
     double largest = 0.;
     while (fixture.stage->view().clock().time < time)
       {

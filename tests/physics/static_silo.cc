@@ -72,7 +72,7 @@ TEST_P(SiloTest, FrictionStaysWithinCoulombsLaw)
 TEST_P(SiloTest, StressIsAdmissible)
 {
   const DruckerPrager law   = DruckerPrager(fixture.material);
-  const double        scale = 1500. * 9.81 * fixture.silo.fill_height();
+  const double        scale = 1500. * 9.81 * fixture.silo.silo_height();
   fixture.for_each_cell([&](const auto &, const auto &cell_state) {
     for (unsigned int q = 0; q < fixture.n_points(); ++q)
       {

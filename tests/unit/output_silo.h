@@ -121,6 +121,7 @@ namespace Sandglass
       , part(checked_parameters(silo),
              mesh,
              {},
+             {},
              silo.communicator,
              log,
              timings)

@@ -60,6 +60,10 @@ namespace Sandglass
      */
     virtual Settling
     settle() = 0;
+
+    /// Sum what walls do from now on: walls have come or gone.
+    virtual void
+    start_wall_records_anew() = 0;
   };
 } // namespace Sandglass
 

@@ -31,6 +31,9 @@ namespace Sandglass
     double mass_falling = 0.; ///< below it, in kg
     double mass_removed = 0.; ///< left the grid by falling, in kg
     double mass_lost    = 0.; ///< left the grid otherwise, in kg
+    double mass_fed     = 0.; ///< entered since the start, in kg
+    /// What has passed each of several outlets, in kg; see Scene::outlets.
+    std::vector<double> mass_by_outlet;
 
     double kinetic_energy    = 0.; ///< in J
     double elastic_energy    = 0.; ///< of the material, in J

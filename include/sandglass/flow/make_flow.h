@@ -5,6 +5,7 @@
 
 #include <sandglass/flow/dynamic_flow.h>
 #include <sandglass/flow/flow_parameters.h>
+#include <sandglass/flow/particle_in_cell/feed_parameters.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/updated_lagrangian_parameters.h>
@@ -23,6 +24,7 @@ namespace Sandglass
     const ParticleStageParameters     &particle_stage;
     const UpdatedLagrangianParameters &updated_lagrangian;
     const StaticStageParameters       &static_stage;
+    const FeedParameters              &feed;
   };
 
   /// The flow that the parameters ask for, its material seeded, unstressed and

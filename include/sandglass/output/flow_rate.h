@@ -61,6 +61,19 @@ namespace Sandglass
     double
     discharge_time() const;
 
+    /// All that has been discharged so far, in kg.
+    double
+    mass() const
+    {
+      return samples.empty() ? 0. : samples.back().mass;
+    }
+
+    /// How far the largest and the smallest rate since a time, in s, are from
+    /// the middle between them, over it; infinite where nothing flowed or the
+    /// samples don't reach back so far.
+    double
+    spread(const double start) const;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -26,6 +26,8 @@ namespace Sandglass
     double      critical_time_step; ///< in s
     SiloTotals  totals;
     FlowPattern pattern;
+    bool        is_fed           = false; ///< whether something may enter
+    bool        has_moving_walls = false;
   };
 
   /// Columns of history.csv.
@@ -39,6 +41,8 @@ namespace Sandglass
     double rate;            ///< in kg/s
     /// Beverloo's rates for grains of 0, 0.1 and 0.2 outlet widths, in kg/s.
     std::array<double, 3> beverloo;
+    /// What has passed each of several outlets, in kg.
+    std::vector<double> mass_by_outlet;
   };
 
   /// Columns of flow_rate.csv.
@@ -48,10 +52,12 @@ namespace Sandglass
   class History
   {
   public:
+    /// @param is_fed  whether something may enter.
     template <int dim>
     History(const OutputParameters   &parameters,
             const Scene<dim>         &scene,
-            const MaterialParameters &material);
+            const MaterialParameters &material,
+            const bool                is_fed);
 
     /// Open the files, after deserialization those of the earlier run.
     void

@@ -41,12 +41,14 @@ namespace Sandglass
   public:
     /// @param resolution  that the scene was made with.
     /// @param end_time    of the flow, in s.
+    /// @param is_fed      whether something may enter.
     /// @param timings     has the sections of Timing; these times are reported.
     Observers(const OutputParameters   &parameters,
               const Scene<dim>         &scene,
               const Resolution         &resolution,
               const MaterialParameters &material,
               const double              end_time,
+              const bool                is_fed,
               Log                      &log,
               TimerOutput              &timings);
 
@@ -96,9 +98,17 @@ namespace Sandglass
     void
     observe_end(const FlowView &view);
 
-    /// Write the summary, the timing table and what has come out. Collective.
+    /// Means of tractions on walls begin now: walls have come or gone.
     void
-    finish();
+    start_wall_means_anew()
+    {
+      wall_tractions.start_means_anew();
+    }
+
+    /// Write the summary, the timing table and what has come out. Collective.
+    /// @param event  that has ended the run; empty at its end time.
+    void
+    finish(const std::string &event = "");
 
     /// Write the summary of a run that ends before its time, but can go on.
     /// Collective.
@@ -115,6 +125,13 @@ namespace Sandglass
     what_happened() const
     {
       return summary;
+    }
+
+    /// The step of the last row of history.csv.
+    unsigned long
+    last_row_step() const
+    {
+      return last_history_step;
     }
 
     /// The discharged mass over time; on rank 0.

@@ -137,6 +137,15 @@ namespace Sandglass
       return since(last, time, records);
     }
 
+    /// The next means begin where the flow's sums are zero: they have begun
+    /// anew.
+    void
+    start_means_anew()
+    {
+      last_time = 0.;
+      last_impulses.clear();
+    }
+
     /// Write what one of these has returned at this time, in s.
     void
     write(const double time, const std::vector<WallTraction> &tractions);

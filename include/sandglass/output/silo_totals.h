@@ -23,6 +23,7 @@ namespace Sandglass
                           &mass_falling,
                           &mass_removed,
                           &mass_lost,
+                          &mass_fed,
                           &kinetic_energy,
                           &elastic_energy,
                           &dissipated_energy,
@@ -30,6 +31,8 @@ namespace Sandglass
                           &momentum[1],
                           &momentum[2]})
         *sum *= symmetry_factor;
+      for (double &mass : mass_by_outlet)
+        mass *= symmetry_factor;
     }
 
     /// All that has passed the outlet level, in kg.

@@ -23,6 +23,8 @@ namespace Sandglass
   {
     std::string status = Status::running;
     std::string message; ///< what ended the run before its time, or empty
+    /// What has ended a run that has finished; else empty.
+    std::string ended_by;
 
     Formulation   formulation = Formulation::plane_strain;
     unsigned int  n_ranks     = 1;
@@ -45,8 +47,10 @@ namespace Sandglass
 
     Seconds seconds;
 
-    /// Whether material can leave.
-    bool        has_flow_rate = false;
+    /// Whether material can leave, enter, or be carried by walls.
+    bool        has_flow_rate    = false;
+    bool        is_fed           = false;
+    bool        has_moving_walls = false;
     FlowSummary flow;
 
     /// On rank 0, where material can leave.
@@ -60,8 +64,8 @@ namespace Sandglass
     /// Largest memory of the processes so far, summed over ranks, in MiB.
     double peak_memory = 0.;
 
-    /// Difference between the sum of all masses and the initial mass, over the
-    /// initial mass.
+    /// Difference between the sum of all masses and what was there at the start
+    /// or has entered since, over that.
     double
     mass_balance_error() const;
 

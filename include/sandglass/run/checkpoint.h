@@ -25,6 +25,9 @@ namespace Sandglass
     std::vector<unsigned int> cell_weights;
     LoadBalance               balance;
 
+    /// Where gates are closed, see Gates.
+    std::vector<bool> closed_faces;
+
     /// What the flow and the observers need to go on, in their own words.
     std::string flow, observers;
 
@@ -32,7 +35,7 @@ namespace Sandglass
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &time &cell_weights &balance &flow &observers;
+      archive &time &cell_weights &balance &closed_faces &flow &observers;
     }
   };
 

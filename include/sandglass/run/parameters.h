@@ -4,11 +4,14 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/element_test/element_test_parameters.h>
 #include <sandglass/flow/flow_parameters.h>
+#include <sandglass/flow/particle_in_cell/feed_parameters.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/updated_lagrangian_parameters.h>
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/output/output_parameters.h>
+#include <sandglass/run/stop_parameters.h>
+#include <sandglass/scene/gate_parameters.h>
 #include <sandglass/scene/scene_parameters.h>
 #include <sandglass/walls/wall_parameters.h>
 
@@ -23,6 +26,9 @@ namespace Sandglass
     StaticStageParameters       static_stage;
     FlowParameters              flow;
     ParticleStageParameters     particle_stage;
+    FeedParameters              feed;
+    GateParameters              gates;
+    StopParameters              stop;
     UpdatedLagrangianParameters updated_lagrangian;
     ElementTestParameters       element_test;
     OutputParameters            output;
@@ -35,6 +41,9 @@ namespace Sandglass
       material.check();
       walls.check();
       particle_stage.check();
+      feed.check();
+      gates.check();
+      check_method();
       if (walls.box_depth > 0. &&
           scene.formulation != Formulation::plane_strain)
         throw InputError("Walls",
@@ -62,6 +71,32 @@ namespace Sandglass
                          "Stress rate",
                          "Green-Naghdi",
                          "three dimensions allow Jaumann");
+    }
+
+    /// Refuse what only particles can do.
+    void
+    check_method() const
+    {
+      if (flow.method == FlowParameters::Method::particle_in_cell)
+        return;
+      if (feed.kind != FeedKind::none)
+        throw InputError("Feed",
+                         "Kind",
+                         feed.kind == FeedKind::level ? "level" : "rain",
+                         "allowed is none, unless Flow/Method = "
+                         "particle-in-cell");
+      if (scene.is_filled_in_layers)
+        throw InputError("Scene",
+                         "Filling",
+                         "in layers",
+                         "allowed is at once, unless Flow/Method = "
+                         "particle-in-cell");
+      if (gates.are_on())
+        throw InputError("Gates",
+                         "Openings",
+                         to_text(*gates.openings.begin()),
+                         "allowed are no gates, unless Flow/Method = "
+                         "particle-in-cell");
     }
   };
 } // namespace Sandglass

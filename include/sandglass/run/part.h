@@ -16,9 +16,12 @@ namespace Sandglass
   template <int dim>
   struct Part
   {
+    /// @param mesh          with its gates.
+    /// @param closed_faces  where they are closed, see Gates.
     /// @param cell_weights  for the partition; none: by the filled cells.
     Part(const Parameters                &parameters,
          const Mesh<dim>                 &mesh,
+         const std::vector<bool>         &closed_faces,
          const std::vector<unsigned int> &cell_weights,
          const MPI_Comm                   communicator,
          Log                             &log,
@@ -37,6 +40,7 @@ namespace Sandglass
     void
     go_on_from(Part &before);
 
+    const std::vector<bool>                 closed_faces;
     const Scene<dim>                        scene;
     const std::unique_ptr<DynamicFlow<dim>> flow;
     LoadBalance                             balance;

@@ -98,6 +98,11 @@ namespace Sandglass
     /// In m/s^2.
     std::vector<double> gravity{0., -9.81};
 
+    std::optional<double> fill_height;              ///< none: to the top
+    double                surface_slope       = 0.; ///< of a heap, in degrees
+    bool                  is_filled_in_layers = false;
+    unsigned int          n_layers            = 10;
+
     /// The same as a vector of the grid.
     template <int dim>
     dealii::Tensor<1, dim>
@@ -122,9 +127,9 @@ namespace Sandglass
     std::array<bool, 2>
     symmetry_planes() const;
 
-    /// Height of the material's free surface above the outlet level, in m.
+    /// Height of the silo's top above the outlet level, in m.
     double
-    fill_height() const
+    silo_height() const
     {
       return hopper_height + wall_height;
     }

@@ -22,7 +22,7 @@ namespace Sandglass
     /// Whether the outlet goes from wall to wall along z, which leaves lips
     /// along z only.
     bool   outlet_is_slot;
-    double hopper_height, fill_height, fall_region_depth;
+    double hopper_height, silo_height, fall_region_depth;
 
     /// Whether the planes x = 0 and z = 0 are symmetry planes, at which the
     /// mesh ends.

@@ -21,7 +21,8 @@ namespace Sandglass
     template <int dim>
     struct SavedNode
     {
-      unsigned int                            vertex; ///< of the scene's mesh
+      unsigned int                            vertex;  ///< of the scene's mesh
+      std::vector<Tensor<1, dim>>             normals; ///< of its supports
       std::array<FrictionMemory<dim>, dim>    friction;
       typename WallImpulseSums<dim>::NodeSums impulses;
 
@@ -29,9 +30,42 @@ namespace Sandglass
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &vertex &friction &impulses;
+        archive &vertex &normals &friction &impulses;
       }
     };
+
+
+
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    normals_of(const BoundaryNode<dim> &node)
+    {
+      std::vector<Tensor<1, dim>> normals;
+      for (const Support<dim> &support : node.supports)
+        normals.push_back(support.normal);
+      return normals;
+    }
+
+
+
+    /// What a node had in the directions of the supports that it has now. They
+    /// are others where a gate has been opened or closed since.
+    template <int dim, typename Values>
+    Values
+    in_directions(const std::vector<Tensor<1, dim>> &now,
+                  const std::vector<Tensor<1, dim>> &saved,
+                  const Values                      &values)
+    {
+      constexpr double same_direction = 1. - 1e-8;
+      if (now == saved)
+        return values;
+      Values result{};
+      for (unsigned int s = 0; s < now.size(); ++s)
+        for (unsigned int t = 0; t < saved.size(); ++t)
+          if (now[s] * saved[t] > same_direction)
+            result[s] = values[t];
+      return result;
+    }
   } // namespace
 
 
@@ -42,7 +76,8 @@ namespace Sandglass
   {
     std::vector<SavedNode<dim>> of_rank;
     for (unsigned int n = 0; n < nodes.size(); ++n)
-      of_rank.push_back({nodes[n].vertex, memories[n], sums.at_nodes[n]});
+      of_rank.push_back(
+        {nodes[n].vertex, normals_of(nodes[n]), memories[n], sums.at_nodes[n]});
     archive << summed_time << time_step
             << gather_on_first(of_rank, scene.communicator)
             << Utilities::MPI::gather(scene.communicator, sums.on_particles);
@@ -63,9 +98,15 @@ namespace Sandglass
       saved_at[node.vertex] = &node;
     for (unsigned int n = 0; n < nodes.size(); ++n)
       {
-        const SavedNode<dim> &node = *saved_at.at(nodes[n].vertex);
-        memories[n]                = node.friction;
-        sums.at_nodes[n]           = node.impulses;
+        memories[n]      = {};
+        sums.at_nodes[n] = {};
+        const auto entry = saved_at.find(nodes[n].vertex);
+        if (entry == saved_at.end())
+          continue; // on a gate that has closed
+        const SavedNode<dim> &node    = *entry->second;
+        const auto            normals = normals_of(nodes[n]);
+        memories[n]      = in_directions(normals, node.normals, node.friction);
+        sums.at_nodes[n] = in_directions(normals, node.normals, node.impulses);
       }
 
     // A rank's own sums, or on another number of ranks all on rank 0.

@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/choices.h>
+#include <sandglass/flow/updated_lagrangian/match_vertices.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 
 #include <algorithm>
@@ -24,30 +25,6 @@ namespace Sandglass
            "or more 'Load steps'; or another 'Element size', a larger 'Poisson ratio' "
            "or a smaller 'Internal friction angle'.";
       return message.str();
-    }
-
-
-
-    /**
-     * For each vertex of `cell` the number that it has in `same_cell` of
-     * another triangulation. deal.II orients quadrilaterals by their
-     * neighbours, so that it need not be the same.
-     */
-    template <int dim>
-    std::array<unsigned int, 1u << dim>
-    match_vertices(const CellAccessor<dim> &cell,
-                   const CellAccessor<dim> &same_cell)
-    {
-      std::array<unsigned int, 1u << dim> result{};
-      for (const unsigned int v : cell.vertex_indices())
-        {
-          unsigned int w = 0;
-          while (w < cell.n_vertices() && same_cell.vertex(w) != cell.vertex(v))
-            ++w;
-          Assert(w < cell.n_vertices(), ExcInternalError());
-          result[v] = w;
-        }
-      return result;
     }
   } // namespace
 
@@ -85,8 +62,9 @@ namespace Sandglass
               equilibrium->confined_modulus())
     , solver(filled_grid, *equilibrium, contact, parameters)
     , has_weight(equilibrium->weight().l2_norm() > 0.)
-    , load_step((equilibrium->has_constant_stiffness() ? 1. : first_share) /
-                parameters.n_load_steps)
+    , largest_load_step(1. / parameters.n_load_steps)
+    , load_step((equilibrium->has_constant_stiffness() ? 1. : first_share) *
+                largest_load_step)
     , displacement(filled_grid.make_vector())
     , predictor(displacement)
   {
@@ -134,7 +112,7 @@ namespace Sandglass
           is_fully_loaded() ? 0. : std::min(load_step, 1. - load_share);
         const double     goal      = load_share + step;
         Vector           increment = predictor.predict(step);
-        const RestResult result = solver.solve(displacement, goal, increment);
+        const RestResult result    = solve(goal, increment);
 
         count(goal, result);
         if (result.is_acceptable)
@@ -146,7 +124,7 @@ namespace Sandglass
             else
               ++n_repetitions;
             end_load_step(result);
-            load_step = std::min(2. * load_step, 1. / parameters.n_load_steps);
+            load_step = std::min(2. * load_step, largest_load_step);
             ++time.step;
             return;
           }
@@ -154,6 +132,23 @@ namespace Sandglass
         if (load_step < parameters.smallest_load_step)
           throw RunError(failure_message(goal, result));
       }
+  }
+
+
+
+  template <int dim>
+  RestResult
+  StaticStage<dim>::solve(const double goal, Vector &increment)
+  {
+    if (!settled_weight)
+      return solver.solve(displacement, goal, increment);
+    // What was at rest before has its whole weight all the time.
+    Vector weight = *settled_weight;
+    weight.zero_out_ghost_values();
+    weight.sadd(1. - goal, goal, *whole_weight);
+    weight.update_ghost_values();
+    equilibrium->set_weight(weight);
+    return solver.solve(displacement, 1., increment);
   }
 
 

@@ -68,7 +68,10 @@ namespace Sandglass
       saved_at[saved.vertex] = &saved;
     for (Node &node : nodes)
       {
-        const SavedNode<dim> &saved = *saved_at.at(node.vertices[0]);
+        const auto entry = saved_at.find(node.vertices[0]);
+        if (entry == saved_at.end())
+          continue; // of a layer that is new
+        const SavedNode<dim> &saved = *entry->second;
         for (unsigned int s = 0; s < dim; ++s)
           {
             State &state            = node.states[s];

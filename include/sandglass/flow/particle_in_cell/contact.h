@@ -124,6 +124,13 @@ namespace Sandglass
     forget_records()
     {
       set_energies(0., 0.);
+      start_records_anew();
+    }
+
+    /// Start the walls' records anew, but keep all else.
+    void
+    start_records_anew()
+    {
       summed_time = 0.;
       sums.clear();
     }

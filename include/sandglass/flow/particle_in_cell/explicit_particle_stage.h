@@ -3,8 +3,10 @@
 
 #include <sandglass/flow/particle_in_cell/box_friction.h>
 #include <sandglass/flow/particle_in_cell/critical_time_step.h>
+#include <sandglass/flow/particle_in_cell/feed.h>
 #include <sandglass/flow/particle_in_cell/law_interface.h>
 #include <sandglass/flow/particle_in_cell/nodal_equations.h>
+#include <sandglass/flow/particle_in_cell/outlet_masses.h>
 #include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
@@ -40,10 +42,13 @@ namespace Sandglass
                           const MakeLaw                 &make_law,
                           const double                   density,
                           const WallParameters          &walls,
-                          const ParticleStageParameters &parameters)
+                          const ParticleStageParameters &parameters,
+                          const FeedParameters          &feed_parameters)
       : Stage(scene, walls, parameters)
       , geometry(scene)
-      , initial_configuration(scene, geometry)
+      , initial_configuration(scene,
+                              geometry,
+                              feed_parameters.kind != FeedKind::none)
       , unstressed_density(density)
       , law(make_law(geometry))
       , nodal_sums(geometry,
@@ -64,6 +69,11 @@ namespace Sandglass
                   law->loosest_density(),
                   parameters.split_particles == SplitParticles::where_needed &&
                     needs_splitting(scene.mesh, initial_configuration))
+      , feed(scene,
+             initial_configuration,
+             density,
+             law->initial_state(),
+             feed_parameters)
       , box(*scene.nodes, geometry, walls)
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , critical(*law, geometry, scene)
@@ -120,12 +130,16 @@ namespace Sandglass
       particle_steps += cloud.n_locally_owned_particles();
       pass_over_particles();
       begin(StepPart::relocation);
+      if (outlets.is_on())
+        outlets.count_removed(strays.parcels, geometry);
       const auto &arrivals = relocation.relocate(strays, cloud, time);
       for_each_sums([&](auto &cells) { cells.add(cloud.blocks(), arrivals); });
       contact.add_impulses(relocation.wall_impulses);
       begin(StepPart::splitting);
       if (splitting.is_on() && time.step % splitting.interval == 0)
         split_particles();
+      if (feed.is_on() && !this->is_settling)
+        feed_particles();
       begin(StepPart::sums_at_nodes);
       scatter_sums();
       // Step 10
@@ -149,6 +163,7 @@ namespace Sandglass
     using Stage::contact;
     using Stage::control;
     using Stage::fields;
+    using Stage::outlets;
     using Stage::parameters;
     using Stage::particle_steps;
     using Stage::plastic_dissipation;
@@ -196,6 +211,18 @@ namespace Sandglass
                           cells.compute(cloud.blocks(), cell);
                         });
                       });
+    }
+
+    void
+    feed_particles()
+    {
+      fed.clear();
+      for (const Parcel &parcel : feed.due(cloud.blocks(), time))
+        {
+          this->mass_fed += parcel.properties[Layout::mass];
+          fed.push_back(cloud.insert(parcel));
+        }
+      for_each_sums([this](auto &cells) { cells.add(cloud.blocks(), fed); });
     }
 
     void
@@ -270,13 +297,19 @@ namespace Sandglass
     FlowTotals
     totals() const override
     {
-      return sum_up<Setting>(cloud.blocks(),
-                             *law,
-                             removed,
-                             this->dissipation(),
-                             contact.wall_work(),
-                             particle_steps,
-                             scene.communicator);
+      FlowTotals totals = sum_up<Setting>(cloud.blocks(),
+                                          *law,
+                                          removed,
+                                          this->dissipation(),
+                                          contact.wall_work(),
+                                          particle_steps,
+                                          scene.communicator);
+      totals.mass_by_outlet =
+        outlets.masses(cloud.blocks(), scene.communicator);
+      if (feed.is_on())
+        totals.mass_fed =
+          Utilities::MPI::sum(this->mass_fed, scene.communicator);
+      return totals;
     }
 
     std::vector<StateVariable>
@@ -304,6 +337,18 @@ namespace Sandglass
       particle.set_location(particle.get_location() + initial.displacement);
       particle.set_reference_location(geometry.shape(cell->active_cell_index())
                                         .to_reference(particle.get_location()));
+    }
+
+    FedNumbers
+    fed_numbers() const override
+    {
+      return feed.fed_numbers();
+    }
+
+    void
+    set_fed_numbers(const FedNumbers &numbers) override
+    {
+      feed.set_fed_numbers(numbers);
     }
 
     void
@@ -389,6 +434,7 @@ namespace Sandglass
     VolumetricAverage<Setting>       volumetric_average;
     Relocation<Setting>              relocation;
     ParticleSplitting<Setting>       splitting;
+    Feed<Setting>                    feed;
     BoxFriction<Setting>             box;
 
     // What they know is found anew in each step, so a view may use them too.
@@ -396,7 +442,8 @@ namespace Sandglass
     mutable CriticalTimeStep<Setting> critical;
 
     /// Kept between steps to avoid allocation.
-    Strays<Layout> strays;
+    Strays<Layout>            strays;
+    std::vector<ParticleSlot> fed;
   };
 } // namespace Sandglass
 

@@ -2,6 +2,7 @@
 #define sandglass_flow_particle_in_cell_make_particle_stage_h
 
 #include <sandglass/flow/dynamic_flow.h>
+#include <sandglass/flow/particle_in_cell/feed_parameters.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/material/material_parameters.h>
 #include <sandglass/scene/scene.h>
@@ -21,7 +22,8 @@ namespace Sandglass
   make_particle_stage(const Scene<Kinematics::dim>  &scene,
                       const MaterialParameters      &material,
                       const WallParameters          &walls,
-                      const ParticleStageParameters &parameters);
+                      const ParticleStageParameters &parameters,
+                      const FeedParameters          &feed);
 } // namespace Sandglass
 
 #endif

@@ -12,7 +12,8 @@ namespace Sandglass
   make_particle_stage(const Scene<Kinematics::dim>  &scene,
                       const MaterialParameters      &material,
                       const WallParameters          &walls,
-                      const ParticleStageParameters &parameters)
+                      const ParticleStageParameters &parameters,
+                      const FeedParameters          &feed)
   {
     std::unique_ptr<DynamicFlow<Kinematics::dim>> stage;
     choose_law_in<Kinematics::dim>(material, [&](const auto law) {
@@ -23,7 +24,7 @@ namespace Sandglass
         return make_law<Setting, Law>(material, parameters, geometry);
       };
       stage = std::make_unique<ExplicitParticleStage<Setting>>(
-        scene, make, material.density, walls, parameters);
+        scene, make, material.density, walls, parameters, feed);
     });
     return stage;
   }

@@ -4,6 +4,7 @@
 #include <sandglass/flow/dynamic_flow.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
 #include <sandglass/flow/particle_in_cell/nodal_fields.h>
+#include <sandglass/flow/particle_in_cell/outlet_masses.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 #include <sandglass/flow/particle_in_cell/removed_mass.h>
 #include <sandglass/flow/particle_in_cell/step_control.h>
@@ -50,6 +51,12 @@ namespace Sandglass
     void
     start_from(const InitialStateFunction<dim>   &initial_state,
                const std::vector<WallForce<dim>> &wall_forces) override;
+
+    void
+    start_wall_records_anew() override
+    {
+      contact.start_records_anew();
+    }
 
     /// By kinetic damping: particles are stopped whenever their kinetic energy
     /// has passed a maximum (Cundall 1982).
@@ -164,6 +171,14 @@ namespace Sandglass
     virtual void
     sum_over_particles() = 0;
 
+    /// How many particles have been fed at each place of this rank: pairs of
+    /// the initial particle's id there and a number.
+    virtual FedNumbers
+    fed_numbers() const = 0;
+
+    virtual void
+    set_fed_numbers(const FedNumbers &numbers) = 0;
+
     /// Hand particles that are outside their cells over to the right ones.
     virtual void
     relocate_strays() = 0;
@@ -220,6 +235,15 @@ namespace Sandglass
     Clock            time;
     StepControl      control;
     RemovedMass      removed;
+
+    /// What has passed each of several outlets.
+    OutletMasses<dim> outlets;
+
+    /// What has been fed since the start on this rank, in kg.
+    double mass_fed = 0.;
+
+    /// Whether settle() makes the steps, in which nothing is fed.
+    bool is_settling = false;
 
     /// Plastic work since the start on this rank, in J.
     double plastic_dissipation = 0.;

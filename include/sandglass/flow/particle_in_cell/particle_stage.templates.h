@@ -34,6 +34,7 @@ namespace Sandglass
     , cloud(scene)
     , fields(*scene.nodes)
     , contact(scene, walls)
+    , outlets(scene.mesh)
     , speed_limit(parameters.largest_speed *
                   std::sqrt(2. * scene.gravity.norm() * fall_height(scene)))
   {}

@@ -24,9 +24,10 @@ namespace Sandglass
     const Clock       clock_before   = time;
     const StepControl control_before = control;
     Settling          result;
-    double            kinetic_energy = 0.;
-    double            lowest_maximum = std::numeric_limits<double>::infinity();
-    unsigned int      n_idle_stops   = 0;
+    is_settling                 = true;
+    double       kinetic_energy = 0.;
+    double       lowest_maximum = std::numeric_limits<double>::infinity();
+    unsigned int n_idle_stops   = 0;
     while (result.n_steps < most_steps && n_idle_stops < most_idle_stops)
       {
         time.time = clock_before.time;
@@ -54,9 +55,11 @@ namespace Sandglass
       }
     stop_particles();
 
-    time                = clock_before;
-    control             = control_before;
-    removed             = RemovedMass();
+    is_settling = false;
+    time        = clock_before;
+    control     = control_before;
+    removed     = RemovedMass();
+    outlets.forget_removed();
     plastic_dissipation = 0.;
     particle_steps      = 0;
     contact.forget_records();

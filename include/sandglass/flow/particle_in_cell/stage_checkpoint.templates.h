@@ -5,6 +5,7 @@
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
 namespace Sandglass
@@ -13,14 +14,15 @@ namespace Sandglass
   struct StageSums
   {
     double plastic_dissipation, friction_dissipation, wall_work; ///< in J
-    double mass_discharged, mass_lost;                           ///< in kg
+    double mass_discharged, mass_lost, mass_fed;                 ///< in kg
+    std::vector<double> mass_by_outlet; ///< removed below each outlet
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &plastic_dissipation &friction_dissipation &wall_work
-        &mass_discharged &mass_lost;
+        &mass_discharged &mass_lost &mass_fed &mass_by_outlet;
     }
 
     StageSums &
@@ -31,6 +33,9 @@ namespace Sandglass
       wall_work += other.wall_work;
       mass_discharged += other.mass_discharged;
       mass_lost += other.mass_lost;
+      mass_fed += other.mass_fed;
+      for (unsigned int i = 0; i < mass_by_outlet.size(); ++i)
+        mass_by_outlet[i] += other.mass_by_outlet[i];
       return *this;
     }
   };
@@ -45,7 +50,9 @@ namespace Sandglass
                                  contact.friction_dissipation(),
                                  contact.wall_work(),
                                  removed.discharged,
-                                 removed.lost};
+                                 removed.lost,
+                                 mass_fed,
+                                 outlets.removed};
     const auto      sums =
       gather_on_first(std::vector<StageSums>{sums_of_rank}, communicator);
 
@@ -56,7 +63,9 @@ namespace Sandglass
     const auto parcels   = gather_on_first(of_rank, communicator);
     const auto cell_sums = gather_on_first(pack_cell_sums(), communicator);
 
-    archive << time << control << sums << parcels << cell_sums;
+    const auto fed = gather_on_first(fed_numbers(), communicator);
+
+    archive << time << control << sums << parcels << cell_sums << fed;
     contact.save(archive);
   }
 
@@ -72,11 +81,14 @@ namespace Sandglass
     std::vector<StageSums> sums;
     std::vector<Parcel>    parcels;
     std::vector<double>    cell_sums;
-    archive >> time >> control >> sums >> parcels >> cell_sums;
+    FedNumbers             fed;
+    archive >> time >> control >> sums >> parcels >> cell_sums >> fed;
+    set_fed_numbers(fed);
     contact.load(archive);
 
     // The rank's own sums, or on another number of ranks all sums on rank 0.
     StageSums own{};
+    own.mass_by_outlet.assign(outlets.removed.size(), 0.);
     if (sums.size() == Utilities::MPI::n_mpi_processes(scene.communicator))
       own = sums[rank];
     else if (rank == 0)
@@ -84,6 +96,8 @@ namespace Sandglass
         own += of_rank;
     plastic_dissipation = own.plastic_dissipation;
     removed             = {own.mass_discharged, own.mass_lost};
+    outlets.removed     = own.mass_by_outlet;
+    mass_fed            = own.mass_fed;
     contact.set_energies(own.friction_dissipation, own.wall_work);
 
     cloud.clear();

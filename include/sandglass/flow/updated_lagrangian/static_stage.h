@@ -8,6 +8,7 @@
 #include <sandglass/flow/updated_lagrangian/equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/load_predictor.h>
 #include <sandglass/flow/updated_lagrangian/rest_solver.h>
+#include <sandglass/flow/updated_lagrangian/settled_layers.h>
 #include <sandglass/flow/updated_lagrangian/static_stage_parameters.h>
 #include <sandglass/flow/updated_lagrangian/static_state.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
@@ -61,6 +62,19 @@ namespace Sandglass
      */
     StaticState<dim>
     run(const std::function<void(const double)> &after_load_step = {});
+
+    /// What run() has found, for another layer to be placed on it. Collective.
+    SettledLayers<dim>
+    settled_layers() const;
+
+    /**
+     * Before run(): let the material that another stage has found at rest be
+     * where it is, with its stress and its weight. The rest of this scene's
+     * material is new: without stress in the configuration that it gets by the
+     * displacement of what it lies on, and its weight is what load steps apply.
+     */
+    void
+    place_on(const SettledLayers<dim> &layers);
 
     /// The next load step, cut until its end is acceptable. Collective. Throws
     /// RunError where the smallest one doesn't.
@@ -139,6 +153,10 @@ namespace Sandglass
       return load_share >= 1. - 1e-12;
     }
 
+    /// Under that share of the weight, or of the new layer's.
+    RestResult
+    solve(const double goal, Vector &increment);
+
     /// Decide whether an accepted load step has led to rest.
     void
     end_load_step(const RestResult &result);
@@ -175,10 +193,15 @@ namespace Sandglass
     double        load_share    = 0.;    ///< of the whole weight
     bool          is_at_rest    = false; ///< under that load
     unsigned int  n_repetitions = 0;     ///< load steps without more load
-    double        load_step;             ///< to be tried next, as such a share
+    double        largest_load_step;     ///< as such a share
+    double        load_step;             ///< to be tried next, likewise
     Vector        displacement;          ///< since the unloaded state
     LoadPredictor predictor;
     StaticEffort  effort;
+
+    /// Nodal forces of the layers at rest, and with the new one, in N; none
+    /// without layers.
+    std::unique_ptr<Vector> settled_weight, whole_weight;
   };
 } // namespace Sandglass
 

@@ -64,6 +64,11 @@ namespace Sandglass
       return {};
     }
 
+    /// Nothing: this flow has no gates.
+    void
+    start_wall_records_anew() override
+    {}
+
     /// Null where no material is left.
     const MovingBody *
     moving_body() const

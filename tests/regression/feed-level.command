@@ -1,0 +1,1 @@
+-s "Feed/Kind=level" -s "Particle stage/End time=0.3"

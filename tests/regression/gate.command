@@ -1,0 +1,1 @@
+-s "Scene/Fill height=1.2" -s "Scene/Surface slope=20" -s "Gates/Openings=outlet: 0.1 0 0.2 100 0.3 100 0.35 30" -s "Particle stage/End time=0.4"

@@ -1,0 +1,1 @@
+-s "Scene/Filling=in layers" -s "Scene/Layers=4" -s "Particle stage/End time=0.1"

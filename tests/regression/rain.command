@@ -1,0 +1,1 @@
+-s "Scene/Outlet=closed" -s "Scene/Fill height=0.5" -s "Feed/Kind=rain" -s "Feed/Rate=400" -s "Feed/Speed=1" -s "Feed/Opening right=0.3" -s "Particle stage/End time=0.3"
