@@ -84,12 +84,14 @@ namespace Sandglass
 
 
   std::vector<WallTraction>
-  WallTractions<3>::since_last(const double time, const WallRecords &records)
+  WallTractions<3>::since(WallImpulses      &last,
+                          const double       time,
+                          const WallRecords &records) const
   {
     const auto sorted = collect(records);
-    last_impulses.resize(sorted.size());
+    last.impulses.resize(sorted.size());
 
-    const double              duration = records.time - last_time;
+    const double              duration = records.time - last.time;
     std::vector<WallTraction> tractions;
     for (unsigned int i = 0; i < sorted.size(); ++i)
       {
@@ -98,11 +100,11 @@ namespace Sandglass
           make_traction(time,
                         sorted[i],
                         duration > 0. ?
-                          (impulse - last_impulses[i]) / duration :
+                          (impulse - last.impulses[i]) / duration :
                           Tensor<1, 3>()));
-        last_impulses[i] = impulse;
+        last.impulses[i] = impulse;
       }
-    last_time = records.time;
+    last.time = records.time;
     return tractions;
   }
 
@@ -128,6 +130,8 @@ namespace Sandglass
       references.eurocode(EurocodePressures::Load::filling, record);
     traction.eurocode_discharge =
       references.eurocode(EurocodePressures::Load::discharge, record);
+    traction.eurocode_filling_patch   = NormalRange::nothing;
+    traction.eurocode_discharge_patch = NormalRange::nothing;
     return traction;
   }
 

@@ -29,8 +29,8 @@ namespace Sandglass
   DesignResults<dim>::write_row(const double                     time,
                                 const std::vector<WallTraction> &tractions)
   {
-    gauges.write(time, [&tractions](const Point<3> &point) {
-      return traction_at(point, tractions);
+    gauges.write(time, [this, &tractions](const Point<3> &point) {
+      return needs_tractions() ? traction_at(point, tractions) : WallPressure();
     });
   }
 

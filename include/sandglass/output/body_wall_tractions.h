@@ -63,13 +63,28 @@ namespace Sandglass
     at_rest(const WallRecords &records) const;
 
     /**
-     * Likewise the means since the last call or, the first time, since the
-     * flow's start. Collective.
+     * Likewise the means since `last`, which then is now. Collective.
      *
      * @param time  in s.
      */
     std::vector<WallTraction>
-    since_last(const double time, const WallRecords &records);
+    since(WallImpulses      &last,
+          const double       time,
+          const WallRecords &records) const;
+
+    /// The same since the last call or, the first time, since the flow's start.
+    std::vector<WallTraction>
+    since_last(const double time, const WallRecords &records)
+    {
+      return since(last, time, records);
+    }
+
+    /// See WallTractions<2>.
+    void
+    start_means_anew()
+    {
+      last = {};
+    }
 
     /// Write what one of these has returned at this time, in s.
     void
@@ -79,7 +94,7 @@ namespace Sandglass
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &table &series &last_time &last_impulses;
+      archive &table &series &last;
     }
 
   private:
@@ -104,10 +119,8 @@ namespace Sandglass
     CsvTable<WallBand>           table;
     FieldSeries                  series;
 
-    /// Sums of the flow when since_last() was called, on rank 0; in the order
-    /// of the tractions.
-    double                    last_time = 0.; ///< in s
-    std::vector<Tensor<1, 3>> last_impulses;  ///< in N s
+    /// When since_last() was called.
+    WallImpulses last;
   };
 } // namespace Sandglass
 

@@ -34,6 +34,10 @@ namespace Sandglass
   std::vector<FlowBand>
   flow_bands<2>(const Scene<2> &scene);
 
+  template <>
+  std::vector<FlowBand>
+  flow_bands<3>(const Scene<3> &scene);
+
   /// How fast material sinks beside the walls and in the middle, over height
   /// and time: what tells mass flow from funnel flow.
   class FlowProfile
