@@ -94,7 +94,7 @@ namespace Sandglass
     refuse_other(const std::string &directory) const;
 
     /// What walls had done with the last row; for tractions since.
-    WallSums wall_sums;
+    WallImpulses wall_sums;
 
     template <class Archive>
     void

@@ -76,7 +76,7 @@ namespace Sandglass
 
   /// What walls had done up to a time, in the order of the tractions; on rank
   /// 0.
-  struct WallSums
+  struct WallImpulses
   {
     double                    time = 0.; ///< in s
     std::vector<Tensor<1, 3>> impulses;  ///< in N s
@@ -124,7 +124,7 @@ namespace Sandglass
      * @param time  in s.
      */
     std::vector<WallTraction>
-    since(WallSums &last, const double time, const WallRecords &records) const;
+    since(WallImpulses &last, const double time, const WallRecords &records) const;
 
     /// The same since the last call or, the first time, since the flow's start.
     std::vector<WallTraction>
@@ -177,7 +177,7 @@ namespace Sandglass
     FieldSeries              series;
 
     /// When since_last() was called.
-    WallSums last;
+    WallImpulses last;
   };
 } // namespace Sandglass
 
