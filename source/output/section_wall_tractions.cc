@@ -128,7 +128,7 @@ namespace Sandglass
 
 
   std::vector<WallTraction>
-  WallTractions<2>::since(WallImpulses          &last,
+  WallTractions<2>::since(WallImpulses      &last,
                           const double       time,
                           const WallRecords &records) const
   {

@@ -124,7 +124,9 @@ namespace Sandglass
      * @param time  in s.
      */
     std::vector<WallTraction>
-    since(WallImpulses &last, const double time, const WallRecords &records) const;
+    since(WallImpulses      &last,
+          const double       time,
+          const WallRecords &records) const;
 
     /// The same since the last call or, the first time, since the flow's start.
     std::vector<WallTraction>
