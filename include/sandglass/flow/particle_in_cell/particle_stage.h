@@ -3,6 +3,7 @@
 
 #include <sandglass/flow/dynamic_flow.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
+#include <sandglass/flow/particle_in_cell/feed_parameters.h>
 #include <sandglass/flow/particle_in_cell/nodal_fields.h>
 #include <sandglass/flow/particle_in_cell/outlet_masses.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
