@@ -39,6 +39,7 @@ struct SolidFixture
   Sandglass::FlowParameters              flow_parameters;
   Sandglass::UpdatedLagrangianParameters updated_lagrangian;
   Sandglass::StaticStageParameters       static_stage;
+  Sandglass::FeedParameters              feed;
   std::ostringstream                     log_text;
   dealii::ConditionalOStream             no_log{log_text, false};
 
@@ -66,7 +67,7 @@ struct SolidFixture
          *scene,
          material,
          walls,
-         {flow_parameters, parameters, updated_lagrangian, static_stage},
+         {flow_parameters, parameters, updated_lagrangian, static_stage, feed},
          no_log)
          .release()));
     return *stage;
