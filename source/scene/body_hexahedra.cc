@@ -1,5 +1,6 @@
 #include <sandglass/scene/body_hexahedra.h>
 #include <sandglass/scene/body_plan.h>
+#include <sandglass/scene/body_plan_steps.h>
 
 #include <algorithm>
 #include <vector>

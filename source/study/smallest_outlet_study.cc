@@ -3,6 +3,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/output/jenike.h>
+#include <sandglass/study/free_rate.h>
 #include <sandglass/study/silo_study.h>
 #include <sandglass/study/smallest_outlet.h>
 #include <sandglass/walls/boundary_role.h>
@@ -114,7 +115,12 @@ namespace Sandglass
                        0.)
     {
       const SceneParameters &scene = parameters.scene;
-      const double           time =
+      if (scene.outlet_half_depth)
+        throw InputError("Scene",
+                         "Outlet half depth",
+                         short_text(*scene.outlet_half_depth),
+                         "allowed is auto with --study smallest-outlet");
+      const double time =
         std::sqrt(2. * first_half_width / scene.gravity_vector<2>().norm());
       if (!file.is_on_command_line("Particle stage", "End time"))
         set_parameter("Particle stage",
@@ -145,7 +151,9 @@ namespace Sandglass
       const double              phi      = friction_angle(material);
       const double wall_angle = radians(parameters.walls.friction_angle_of(
         std::string(name_of(BoundaryRole::hopper))));
-      const Jenike jenike{parameters.scene.formulation,
+      const Jenike jenike{has_slot(parameters.scene) ?
+                            Formulation::plane_strain :
+                            Formulation::axisymmetric,
                           phi,
                           wall_angle,
                           std::atan(hopper_slope)};
@@ -188,20 +196,17 @@ namespace Sandglass
       const std::array<double, 2> values = shared(std::array<double, 2>{
         {result.discharge.mean(2. / 3. * end, end),
          std::isnan(result.summary.flow.discharge_time) ? 0. : 1.}});
-      const double                width  = 2. * half_width;
-      const bool                  is_ring =
-        parameters.scene.formulation == Formulation::axisymmetric;
-      const double free_rate =
-        parameters.material.density *
-        std::sqrt(parameters.scene.gravity_vector<2>().norm()) *
-        std::pow(width, is_ring ? 2.5 : 1.5);
       // A silo that has emptied has flowed, too.
       const double left = result.summary.totals.mass_in_silo;
       const bool   has_emptied =
         values[1] > 0. && left < 0.05 * result.summary.initial_mass;
       return {half_width,
               values[0],
-              has_emptied || values[0] > flowing_share * free_rate};
+              has_emptied ||
+                values[0] >
+                  flowing_share * free_rate(parameters.scene,
+                                            parameters.material.density,
+                                            2. * half_width)};
     }
 
 

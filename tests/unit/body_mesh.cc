@@ -3,6 +3,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/scene/body_cells.h>
 #include <sandglass/scene/body_plan.h>
+#include <sandglass/scene/body_plan_steps.h>
 #include <sandglass/scene/headroom.h>
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/scene/mesh_cells.h>

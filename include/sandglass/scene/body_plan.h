@@ -32,10 +32,9 @@ namespace Sandglass
   BodyPlan
   make_body_plan(const SiloBody &body, const Resolution &resolution);
 
-  /// Shares of a length, from 0 to 1, that cut it into steps: the first as long
-  /// as `first`, each longer by a fifth of the distance, at most `last` (m).
-  std::vector<double>
-  graded_steps(const double length, const double first, const double last);
+  /// What make_body_plan() makes of the second kind.
+  BodyPlan
+  plan_of_rings(const SiloBody &body, const Resolution &resolution);
 } // namespace Sandglass
 
 #endif

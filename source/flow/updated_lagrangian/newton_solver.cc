@@ -96,6 +96,19 @@ namespace Sandglass
                       std::max(std::sqrt(residual_norm),
                                0.3 * residual_at_rest / residual_norm));
     }
+
+
+
+    /// Whether factors take less time than multigrid; in space they fill up
+    /// sooner.
+    template <int dim>
+    bool
+    is_solved_directly(const types::global_dof_index n_unknowns,
+                       const StaticStageParameters  &parameters)
+    {
+      constexpr unsigned int fill = dim == 2 ? 1 : 8;
+      return n_unknowns <= parameters.most_direct_unknowns / fill;
+    }
   } // namespace
 
 
@@ -112,7 +125,7 @@ namespace Sandglass
     , keeps_factors(inertia == nullptr)
     , out_of_balance(grid, equilibrium, contact, inertia)
     , tangent(grid,
-              grid.dof_handler.n_dofs() <= parameters.most_direct_unknowns ?
+              is_solved_directly<dim>(grid.dof_handler.n_dofs(), parameters) ?
                 TangentStorage::columns :
                 TangentStorage::rows)
     , tangent_solver(tangent, make_preconditioner(grid, tangent))

@@ -74,7 +74,8 @@ namespace Sandglass
       0,
       100000000,
       "Number of unknowns, two at each node of the filled mesh, up to "
-      "which Newton's linear equations are solved by factors. Beyond "
+      "which Newton's linear equations are solved by factors; in three "
+      "dimensions, where factors fill up sooner, an eighth of it. Beyond "
       "it they are by iterations with multigrid, which take less time "
       "and memory for many unknowns, and which ranks share.");
   }
