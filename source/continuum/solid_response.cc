@@ -1,5 +1,7 @@
 #include <sandglass/continuum/solid_response.h>
 
+#include <Eigen/Geometry>
+
 namespace Sandglass
 {
   namespace

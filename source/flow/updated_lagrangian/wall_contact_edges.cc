@@ -68,8 +68,7 @@ namespace Sandglass
 
 #define INSTANTIATE(dim)                                                       \
   template void WallContact<dim>::add_friction_on_edge(Node &,                 \
-                                                       const SupportSet,       \
-                                                       const Tensor<1, dim> &, \
+                                                       SupportSet,             \
                                                        const Tensor<1, dim> &) \
     const;
 
