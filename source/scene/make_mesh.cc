@@ -85,7 +85,22 @@ namespace Sandglass
                          "Element size");
       }
     std::vector<std::string> warnings;
-    return take_mesh<2>(parameters, warnings);
+    if (parameters.cell_type == CellType::triangle)
+      return take_mesh<2>(parameters, warnings);
+    try
+      {
+        return take_mesh<2>(parameters, warnings);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("Scene",
+                         "Cell type",
+                         "quadrilateral",
+                         "its structured cells don't fit the silo and its "
+                         "surface (" +
+                           std::string(error.what()) +
+                           "); allowed is triangle here");
+      }
   }
 
 
