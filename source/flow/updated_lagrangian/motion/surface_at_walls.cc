@@ -73,8 +73,8 @@ namespace Sandglass
                             smallest_angle))
           return false;
         double area = 0., length = 0.;
-        for (unsigned int i = 0; i + 1 < loop.size() &&
-                                 loop[i].mark == TriangleMesh::free_surface;
+        for (unsigned int i = 0;
+             i + 1 < loop.size() && loop[i].mark == TriangleMesh::free_surface;
              ++i)
           {
             const QuadraticCurve &curve = loop[i].curve;
@@ -131,10 +131,9 @@ namespace Sandglass
       is_large_enough(const Tensor<1, 2> &direction,
                       const double        smallest_angle) const
       {
-        const double angle = std::atan2(side * cross(along, direction),
-                                        along * direction);
-        return angle >= smallest_angle &&
-               angle <= numbers::PI - smallest_angle;
+        const double angle =
+          std::atan2(side * cross(along, direction), along * direction);
+        return angle >= smallest_angle && angle <= numbers::PI - smallest_angle;
       }
 
       /// Let the part on the wall end elsewhere; false where it can't.
@@ -164,10 +163,10 @@ namespace Sandglass
       BoundaryLoop        &loop;
       const MotionSetting &setting;
       const RigidWall     &wall;
-      const unsigned int  mark;
-      const double        side, h;
-      const Point<2>      contact;
-      const Tensor<1, 2>  along; ///< from the part on the wall to the contact
+      const unsigned int   mark;
+      const double         side, h;
+      const Point<2>       contact;
+      const Tensor<1, 2>   along; ///< from the part on the wall to the contact
     };
 
 
@@ -204,8 +203,7 @@ namespace Sandglass
   {
     for (BoundaryPiece &piece : loop)
       piece.mark = wall_of(piece.curve, setting);
-    unsigned int n =
-      turn_where_it_leaves(loop, 1., smallest, setting);
+    unsigned int n = turn_where_it_leaves(loop, 1., smallest, setting);
     turn_round(loop);
     n += turn_where_it_leaves(loop, -1., smallest, setting);
     turn_round(loop);

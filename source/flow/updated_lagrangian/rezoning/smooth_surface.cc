@@ -16,8 +16,7 @@ namespace Sandglass
     {
       const Tensor<1, 2> arriving = derivative_on_curve(first.curve, 1.);
       const Tensor<1, 2> leaving  = derivative_on_curve(second.curve, 0.);
-      return std::abs(
-        std::atan2(cross(arriving, leaving), arriving * leaving));
+      return std::abs(std::atan2(cross(arriving, leaving), arriving * leaving));
     }
 
 
@@ -38,7 +37,7 @@ namespace Sandglass
       const Point<2>     start = a.curve[0], end = c.curve[1];
       const Tensor<1, 2> chord  = end - start;
       const double       length = chord.norm();
-      double             area   = 0., way = 0.;
+      double             area = 0., way = 0.;
       for (const BoundaryPiece *piece : {&a, &b, &c})
         {
           area += swept_area(piece->curve, start);
