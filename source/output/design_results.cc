@@ -53,17 +53,21 @@ namespace Sandglass
     if (profile.is_on())
       tables.emplace_back("flow_profile.csv",
                           csv_text(flow_profile_table, profile.levels()));
-    if (!residence.is_on())
-      return [tables, directory = directory]() {
-        for (const auto &[name, text] : tables)
-          replace_file(directory + '/' + name, text);
-      };
+    std::vector<ResidenceRow> rows;
+    VtuPiece                  map;
+    if (residence.is_on())
+      {
+        rows = residence.rows(time);
+        map  = residence.map();
+      }
     return [this,
             tables = std::move(tables),
-            rows   = residence.rows(time),
-            map    = residence.map()]() {
+            rows   = std::move(rows),
+            map    = std::move(map)]() {
       for (const auto &[name, text] : tables)
         replace_file(directory + '/' + name, text);
+      if (rows.empty())
+        return;
       residence.write(rows);
       const std::string name = directory + "/residence.vtu";
       write_vtu(unfinished_name(name), map);

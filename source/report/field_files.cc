@@ -4,6 +4,7 @@
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -77,17 +78,42 @@ namespace Sandglass
 
 
 
+    namespace
+    {
+      vtkDataArray &
+      find_field(vtkFieldData                &fields,
+                 const std::string           &name,
+                 const int                    n_components,
+                 const std::filesystem::path &file)
+      {
+        vtkDataArray *const field = fields.GetArray(name.c_str());
+        if (field == nullptr || field->GetNumberOfComponents() != n_components)
+          throw InputError("'" + file.string() + "' has no field '" + name +
+                           "': it is damaged, or of another program.");
+        return *field;
+      }
+    } // namespace
+
+
+
     vtkDataArray &
     point_field(vtkUnstructuredGrid         &grid,
                 const std::string           &name,
                 const int                    n_components,
                 const std::filesystem::path &file)
     {
-      vtkDataArray *const field = grid.GetPointData()->GetArray(name.c_str());
-      if (field == nullptr || field->GetNumberOfComponents() != n_components)
-        throw InputError("'" + file.string() + "' has no field '" + name +
-                         "': it is damaged, or of another program.");
-      return *field;
+      return find_field(*grid.GetPointData(), name, n_components, file);
+    }
+
+
+
+    vtkDataArray &
+    cell_field(vtkUnstructuredGrid         &grid,
+               const std::string           &name,
+               const int                    n_components,
+               const std::filesystem::path &file)
+    {
+      return find_field(*grid.GetCellData(), name, n_components, file);
     }
   } // namespace Report
 } // namespace Sandglass

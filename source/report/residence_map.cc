@@ -1,8 +1,7 @@
-#include <sandglass/base/exceptions.h>
 #include <sandglass/report/field_files.h>
 #include <sandglass/report/residence_map.h>
 
-#include <vtkCellData.h>
+#include <vtkDataArray.h>
 
 #include <array>
 #include <cmath>
@@ -17,20 +16,6 @@ namespace Sandglass
     {
       /// Enough for a picture.
       constexpr int n_digits = 5;
-
-      vtkDataArray &
-      cell_field(vtkUnstructuredGrid         &grid,
-                 const std::string           &name,
-                 const std::filesystem::path &file)
-      {
-        vtkDataArray *const field = grid.GetCellData()->GetArray(name.c_str());
-        if (field == nullptr || field->GetNumberOfComponents() != 1)
-          throw InputError("'" + file.string() + "' has no field '" + name +
-                           "': it is damaged, or of another program.");
-        return *field;
-      }
-
-
 
       std::string
       list(const std::string &name, const std::vector<double> &values)
@@ -57,8 +42,8 @@ namespace Sandglass
     residence_map(const std::filesystem::path &file)
     {
       const auto    grid   = read_fields(file);
-      vtkDataArray &times  = cell_field(*grid, "residence time", file);
-      vtkDataArray &shares = cell_field(*grid, "share that has left", file);
+      vtkDataArray &times  = cell_field(*grid, "residence time", 1, file);
+      vtkDataArray &shares = cell_field(*grid, "share that has left", 1, file);
 
       std::vector<double>   x, y, time, share;
       std::array<double, 6> box{};

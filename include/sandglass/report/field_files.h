@@ -43,6 +43,13 @@ namespace Sandglass
                 const std::string           &name,
                 const int                    n_components,
                 const std::filesystem::path &file);
+
+    /// The same of a field at the cells.
+    vtkDataArray &
+    cell_field(vtkUnstructuredGrid         &grid,
+               const std::string           &name,
+               const int                    n_components,
+               const std::filesystem::path &file);
   } // namespace Report
 } // namespace Sandglass
 

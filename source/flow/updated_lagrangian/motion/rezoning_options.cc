@@ -49,15 +49,6 @@ namespace Sandglass
 
 
 
-    /// A straight piece of boundary.
-    BoundaryPiece
-    straight_piece(const Point<2> &a, const Point<2> &b)
-    {
-      return {{{a, b, a + (b - a) / 2.}}, TriangleMesh::free_surface, false};
-    }
-
-
-
     /**
      * Fill hollows in corners where one wall follows another: smaller than an
      * element, they can't be resolved, and would be bounded by ever smaller
@@ -102,9 +93,13 @@ namespace Sandglass
             const Point<2> to   = loop[last].curve[0];
             BoundaryLoop   pieces;
             if (from.distance(corner) > on)
-              pieces.push_back(straight_piece(from, corner));
+              pieces.push_back({straight_curve(from, corner),
+                                TriangleMesh::free_surface,
+                                false});
             if (to.distance(corner) > on)
-              pieces.push_back(straight_piece(corner, to));
+              pieces.push_back({straight_curve(corner, to),
+                                TriangleMesh::free_surface,
+                                false});
             if (pieces.empty())
               continue;
             loop.erase(loop.begin() + first, loop.begin() + last);

@@ -20,16 +20,6 @@ namespace Sandglass
 
 
 
-    BoundaryPiece
-    straight_piece(const Point<2>    &a,
-                   const Point<2>    &b,
-                   const unsigned int mark)
-    {
-      return {{{a, b, a + (b - a) / 2.}}, mark, false};
-    }
-
-
-
     /// A loop with material to the right, so that what ends at a wall begins
     /// there.
     void
@@ -94,7 +84,9 @@ namespace Sandglass
             const Point<2> end = curve[1];
             loop.erase(loop.begin(), loop.begin() + i + 1);
             loop.insert(loop.begin(),
-                        straight_piece(moved, end, TriangleMesh::free_surface));
+                        BoundaryPiece{straight_curve(moved, end),
+                                      TriangleMesh::free_surface,
+                                      false});
             return true;
           }
         return false;
@@ -145,7 +137,7 @@ namespace Sandglass
           return false;
         if ((moved - contact) * along >= 0.)
           {
-            loop.push_back(straight_piece(contact, moved, mark));
+            loop.push_back({straight_curve(contact, moved), mark, false});
             return true;
           }
         std::size_t n = loop.size();
@@ -156,7 +148,7 @@ namespace Sandglass
           return false;
         loop.resize(n);
         const Point<2> start = loop.back().curve[0];
-        loop.back()          = straight_piece(start, moved, mark);
+        loop.back()          = {straight_curve(start, moved), mark, false};
         return true;
       }
 

@@ -5,6 +5,14 @@
 
 namespace Sandglass
 {
+  QuadraticCurve
+  straight_curve(const Point<2> &start, const Point<2> &end)
+  {
+    return {{start, end, start + (end - start) / 2.}};
+  }
+
+
+
   Point<2>
   position_on_curve(const QuadraticCurve &curve, const double t)
   {

@@ -21,14 +21,6 @@ namespace Sandglass
 
 
 
-    void
-    make_straight(BoundaryPiece &piece, const Point<2> &a, const Point<2> &b)
-    {
-      piece.curve = {{a, b, a + (b - a) / 2.}};
-    }
-
-
-
     /// Let three pieces that follow each other become straight; false where
     /// they end where they have begun.
     bool
@@ -50,9 +42,9 @@ namespace Sandglass
       const Tensor<1, 2> right({chord[1] / length, -chord[0] / length});
       const Point<2>     first  = start + chord / 3. + height * right;
       const Point<2>     second = start + 2. * chord / 3. + height * right;
-      make_straight(a, start, first);
-      make_straight(b, first, second);
-      make_straight(c, second, end);
+      a.curve                   = straight_curve(start, first);
+      b.curve                   = straight_curve(first, second);
+      c.curve                   = straight_curve(second, end);
       return true;
     }
   } // namespace

@@ -15,6 +15,9 @@ namespace Sandglass
   /// 0 at the start, 1 at the end and 1/2 at the middle; in m.
   using QuadraticCurve = std::array<Point<2>, 3>;
 
+  QuadraticCurve
+  straight_curve(const Point<2> &start, const Point<2> &end);
+
   Point<2>
   position_on_curve(const QuadraticCurve &curve, const double t);
 
