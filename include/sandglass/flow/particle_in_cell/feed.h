@@ -24,9 +24,11 @@ namespace Sandglass
    * that have room for them, so their mass is that of the material that they
    * add.
    *
-   * With FeedKind::level the cells are those at the material's first surface,
-   * and get a particle as soon as one has left, with the velocity of those that
-   * are there. With FeedKind::rain the cells are those at the grid's top. Each
+   * With FeedKind::level the cells are those at the material's first surface.
+   * As much enters as has passed the outlets, where there is most room, with
+   * the velocity of those that are there. (To fill each cell whenever it has
+   * room would let in more: of the few particles in a cell there are now more,
+   * now fewer.) With FeedKind::rain the cells are those at the grid's top. Each
    * of their places gets a particle in turn, when its mass is due; what finds
    * no room then stays outside, so that a full silo takes no more.
    */
@@ -60,6 +62,7 @@ namespace Sandglass
       , law_state(law_state)
       , parameters(parameters)
       , rate(parameters.rate / scene.symmetry_factor)
+      , communicator(scene.communicator)
     {
       if (!is_on())
         return;
@@ -77,13 +80,24 @@ namespace Sandglass
                          "no cell of the material's surface or the mesh's top "
                          "lies in the opening; allowed are places between the "
                          "silo's walls");
+      const auto is_own_cell = [&scene](const unsigned int cell) {
+        return scene.cell_owners[cell] ==
+               Utilities::MPI::this_mpi_process(scene.communicator);
+      };
       for (const unsigned int cell : cells)
-        is_own.push_back(scene.cell_owners[cell] ==
-                         Utilities::MPI::this_mpi_process(scene.communicator));
+        is_own.push_back(is_own_cell(cell));
       if (parameters.kind == FeedKind::rain)
         {
           check_rate(scene);
           order_places();
+        }
+      else
+        {
+          for (const unsigned int cell : cells)
+            mean_volumes.push_back(mean_volume(cell));
+          for (unsigned int cell = 0; cell < scene.mesh.cells.size(); ++cell)
+            if (is_own_cell(cell) && middle_of_cell(scene.mesh, cell)[1] < 0.)
+              cells_below_outlet.push_back(cell);
         }
     }
 
@@ -93,18 +107,23 @@ namespace Sandglass
       return parameters.kind != FeedKind::none;
     }
 
-    /// This rank's particles that enter in the step of this clock; valid until
-    /// the next call.
+    /**
+     * This rank's particles that enter in the step of this clock; valid until
+     * the next call. Collective.
+     *
+     * @param mass_left  what has left the grid and has not been fed, on this
+     *   rank, in kg.
+     */
     const std::vector<Parcel> &
-    due(const Blocks &blocks, const Clock &clock)
+    due(const Blocks &blocks, const Clock &clock, const double mass_left)
     {
       entering.clear();
       if (parameters.kind == FeedKind::rain)
         let_it_rain(blocks, clock);
       else if (parameters.is_on_at(clock.time))
-        for (unsigned int i = 0; i < cells.size(); ++i)
-          if (is_own[i])
-            fill_up(blocks, cells[i]);
+        keep_level(blocks,
+                   Utilities::MPI::sum(mass_left + falling_mass(blocks),
+                                       communicator));
       return entering;
     }
 
@@ -139,6 +158,17 @@ namespace Sandglass
     id(const unsigned int cell, const unsigned int k) const
     {
       return initial_configuration.points.size() * cell + k;
+    }
+
+    /// Of a cell's initial particles, on average, in m^3.
+    double
+    mean_volume(const unsigned int cell) const
+    {
+      const unsigned int n   = initial_configuration.points.size();
+      double             sum = 0.;
+      for (unsigned int k = 0; k < n; ++k)
+        sum += initial_configuration.volume(id(cell, k));
+      return sum / n;
     }
 
     /// Volume of a cell that its particles leave, in m^3; those of `entering`
@@ -204,34 +234,68 @@ namespace Sandglass
       return emptiest;
     }
 
-    void
-    fill_up(const Blocks &blocks, const unsigned int cell)
+    /// What has passed the outlets but not left the grid, in kg.
+    double
+    falling_mass(const Blocks &blocks) const
     {
-      const unsigned int n = initial_configuration.points.size();
-      for (unsigned int i = 0; i < n; ++i)
+      double sum = 0.;
+      for (const unsigned int cell : cells_below_outlet)
+        blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
+          sum += blocks[slot.block].values[Block::mass][slot.lane];
+        });
+      return sum;
+    }
+
+    /// @param mass_due  of all ranks, in kg.
+    void
+    keep_level(const Blocks &blocks, double mass_due)
+    {
+      const double least =
+        *std::min_element(mean_volumes.begin(), mean_volumes.end());
+      if (mass_due < density * least)
+        return;
+      std::vector<double> room = room_in_cells(blocks);
+      // Each rank comes to the same cells.
+      while (true)
         {
-          // Most often there is no room for the smallest one.
-          const unsigned int k = emptiest_place_if_room(blocks, cell);
-          if (k == n)
+          // Where rooms are equal, rounding doesn't choose.
+          constexpr double equal = 1e-9;
+          const double largest   = *std::max_element(room.begin(), room.end());
+          const unsigned int i =
+            std::find_if(room.begin(),
+                         room.end(),
+                         [&](const double volume) {
+                           return volume >= largest - equal * least;
+                         }) -
+            room.begin();
+          if (mass_due < density * mean_volumes[i] || room[i] < mean_volumes[i])
             return;
-          add(cell, k, n_fed[id(cell, k)]++, mean_velocity(blocks, cell));
+          mass_due -= density * mean_volumes[i];
+          room[i] -= mean_volumes[i];
+          if (is_own[i])
+            fill_up(blocks, cells[i]);
         }
     }
 
-    /// As many as there are places if none has room.
-    unsigned int
-    emptiest_place_if_room(const Blocks &blocks, const unsigned int cell) const
+    /// In each cell of the opening, in m^3, known on all ranks.
+    std::vector<double>
+    room_in_cells(const Blocks &blocks) const
     {
-      const unsigned int n        = initial_configuration.points.size();
-      const double       room     = free_volume(blocks, cell);
-      double             smallest = std::numeric_limits<double>::max();
-      for (unsigned int k = 0; k < n; ++k)
-        smallest =
-          std::min(smallest, initial_configuration.volume(id(cell, k)));
-      if (room < smallest)
-        return n;
+      std::vector<double> room(cells.size(), 0.);
+      for (unsigned int i = 0; i < cells.size(); ++i)
+        if (is_own[i])
+          room[i] = free_volume(blocks, cells[i]);
+      // The other ranks add zero.
+      Utilities::MPI::sum(room, communicator, room);
+      return room;
+    }
+
+    /// Let a particle in at a cell's emptiest place.
+    void
+    fill_up(const Blocks &blocks, const unsigned int cell)
+    {
       const unsigned int k = emptiest_place(blocks, cell);
-      return room < initial_configuration.volume(id(cell, k)) ? n : k;
+      add(cell, k, n_fed[id(cell, k)]++, mean_velocity(blocks, cell));
     }
 
     void
@@ -351,9 +415,15 @@ namespace Sandglass
     const FeedParameters     &parameters;
     const double              rate; ///< of the grid, in kg/s
 
+    const MPI_Comm communicator;
+
     std::vector<unsigned int> cells;  ///< of the opening, on all ranks
     std::vector<bool>         is_own; ///< which of them this rank has
     std::vector<Place>        places; ///< of rain, on all ranks
+    /// Of particles in these cells, in m^3, where a level is kept.
+    std::vector<double> mean_volumes;
+    /// Of this rank.
+    std::vector<unsigned int> cells_below_outlet;
 
     /// By the id of the initial particle at a place, how many have been fed
     /// there on this rank.
