@@ -1,16 +1,14 @@
 #ifndef sandglass_flow_particle_in_cell_feed_h
 #define sandglass_flow_particle_in_cell_feed_h
 
+#include <deal.II/base/mpi.h>
+
 #include <sandglass/base/exceptions.h>
 #include <sandglass/flow/clock.h>
-#include <sandglass/flow/particle_in_cell/feed_parameters.h>
-#include <sandglass/particles/particle_blocks.h>
-#include <sandglass/particles/seeding.h>
-#include <sandglass/scene/feed_cells.h>
+#include <sandglass/flow/particle_in_cell/feed_opening.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -38,12 +36,11 @@ namespace Sandglass
   public:
     static constexpr int dim = Setting::dim;
 
-    using Kinematics    = typename Setting::Kinematics;
-    using Layout        = typename Setting::Layout;
-    using Configuration = InitialConfiguration<Kinematics, Setting::cell_type>;
-    using Blocks        = ParticleBlocks<Layout>;
-    using Block         = ParticleBlock<Layout>;
-    using Parcel        = Sandglass::Parcel<Layout>;
+    using Opening       = FeedOpening<Setting>;
+    using Configuration = typename Opening::Configuration;
+    using Blocks        = typename Opening::Blocks;
+    using Block         = typename Opening::Block;
+    using Parcel        = typename Opening::Parcel;
 
     /**
      * Throws InputError where there is no opening, or one too narrow for the
@@ -57,46 +54,24 @@ namespace Sandglass
          const double               density,
          const std::vector<double> &law_state,
          const FeedParameters      &parameters)
-      : initial_configuration(initial_configuration)
-      , density(density)
-      , law_state(law_state)
-      , parameters(parameters)
+      : parameters(parameters)
       , rate(parameters.rate / scene.symmetry_factor)
       , communicator(scene.communicator)
+      , opening(scene, initial_configuration, density, law_state, parameters)
     {
-      if (!is_on())
-        return;
-      const auto opening = parameters.kind == FeedKind::level ?
-                             surface_cells(scene.mesh) :
-                             top_cells(scene.mesh);
-      for (const unsigned int cell : opening)
-        if (parameters.is_in_opening(middle_of_cell(scene.mesh, cell)[0]))
-          cells.push_back(cell);
-      if (cells.empty())
-        throw InputError("Feed",
-                         "Opening left",
-                         parameters.left ? std::to_string(*parameters.left) :
-                                           "",
-                         "no cell of the material's surface or the mesh's top "
-                         "lies in the opening; allowed are places between the "
-                         "silo's walls");
-      const auto is_own_cell = [&scene](const unsigned int cell) {
-        return scene.cell_owners[cell] ==
-               Utilities::MPI::this_mpi_process(scene.communicator);
-      };
-      for (const unsigned int cell : cells)
-        is_own.push_back(is_own_cell(cell));
       if (parameters.kind == FeedKind::rain)
         {
           check_rate(scene);
           order_places();
         }
-      else
+      else if (parameters.kind == FeedKind::level)
         {
-          for (const unsigned int cell : cells)
-            mean_volumes.push_back(mean_volume(cell));
+          for (const unsigned int cell : opening.cells)
+            mean_volumes.push_back(opening.mean_volume(cell));
           for (unsigned int cell = 0; cell < scene.mesh.cells.size(); ++cell)
-            if (is_own_cell(cell) && middle_of_cell(scene.mesh, cell)[1] < 0.)
+            if (scene.cell_owners[cell] ==
+                  Utilities::MPI::this_mpi_process(scene.communicator) &&
+                middle_of_cell(scene.mesh, cell)[1] < 0.)
               cells_below_outlet.push_back(cell);
         }
     }
@@ -117,14 +92,14 @@ namespace Sandglass
     const std::vector<Parcel> &
     due(const Blocks &blocks, const Clock &clock, const double mass_left)
     {
-      entering.clear();
+      opening.entering.clear();
       if (parameters.kind == FeedKind::rain)
         let_it_rain(blocks, clock);
       else if (parameters.is_on_at(clock.time))
         keep_level(blocks,
                    Utilities::MPI::sum(mass_left + falling_mass(blocks),
                                        communicator));
-      return entering;
+      return opening.entering;
     }
 
     /// See ParticleStage; none of rain, whose numbers follow from the time.
@@ -140,100 +115,14 @@ namespace Sandglass
     {
       n_fed.clear();
       for (const auto &[place, n] : numbers)
-        for (unsigned int i = 0; i < cells.size(); ++i)
-          if (is_own[i] &&
-              cells[i] == place / initial_configuration.points.size())
+        for (unsigned int i = 0; i < opening.cells.size(); ++i)
+          if (opening.is_own[i] &&
+              opening.cells[i] ==
+                place / opening.initial_configuration.points.size())
             n_fed[place] = n;
     }
 
   private:
-    double
-    mass(const unsigned int cell, const unsigned int k) const
-    {
-      return density * initial_configuration.volume(id(cell, k));
-    }
-
-    /// Of the initial particle there.
-    types::particle_index
-    id(const unsigned int cell, const unsigned int k) const
-    {
-      return initial_configuration.points.size() * cell + k;
-    }
-
-    /// Of a cell's initial particles, on average, in m^3.
-    double
-    mean_volume(const unsigned int cell) const
-    {
-      const unsigned int n   = initial_configuration.points.size();
-      double             sum = 0.;
-      for (unsigned int k = 0; k < n; ++k)
-        sum += initial_configuration.volume(id(cell, k));
-      return sum / n;
-    }
-
-    /// Volume of a cell that its particles leave, in m^3; those of `entering`
-    /// count.
-    double
-    free_volume(const Blocks &blocks, const unsigned int cell) const
-    {
-      double volume = 0.;
-      for (unsigned int k = 0; k < initial_configuration.points.size(); ++k)
-        volume += initial_configuration.volume(id(cell, k));
-      blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-        const auto &values = blocks[slot.block].values;
-        volume -=
-          values[Block::mass][slot.lane] / values[Block::density][slot.lane];
-      });
-      for (const Parcel &parcel : entering)
-        if (parcel.cell == cell)
-          volume -= parcel.properties[Layout::mass] /
-                    parcel.properties[Layout::density];
-      return volume;
-    }
-
-    /// The particles' mean velocity in m/s; zero where there are none.
-    Tensor<1, dim>
-    mean_velocity(const Blocks &blocks, const unsigned int cell) const
-    {
-      double         sum = 0.;
-      Tensor<1, dim> momentum;
-      blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-        const double mass = blocks[slot.block].values[Block::mass][slot.lane];
-        sum += mass;
-        momentum += mass * blocks[slot.block].point(Block::velocity, slot.lane);
-      });
-      return sum > 0. ? momentum / sum : momentum;
-    }
-
-    /// Which of a cell's initial places is farthest from its particles.
-    unsigned int
-    emptiest_place(const Blocks &blocks, const unsigned int cell) const
-    {
-      unsigned int emptiest = 0;
-      double       largest  = -1.;
-      for (unsigned int k = 0; k < initial_configuration.points.size(); ++k)
-        {
-          const Point<dim> place = initial_configuration.position(id(cell, k));
-          double           nearest = std::numeric_limits<double>::max();
-          blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-            nearest =
-              std::min(nearest,
-                       place.distance_square(
-                         blocks[slot.block].point(Block::location, slot.lane)));
-          });
-          for (const Parcel &parcel : entering)
-            if (parcel.cell == cell)
-              nearest =
-                std::min(nearest, place.distance_square(parcel.location));
-          if (nearest > largest)
-            {
-              emptiest = k;
-              largest  = nearest;
-            }
-        }
-      return emptiest;
-    }
-
     /// What has passed the outlets but not left the grid, in kg.
     double
     falling_mass(const Blocks &blocks) const
@@ -252,7 +141,7 @@ namespace Sandglass
     {
       const double least =
         *std::min_element(mean_volumes.begin(), mean_volumes.end());
-      if (mass_due < density * least)
+      if (mass_due < opening.density * least)
         return;
       std::vector<double> room = room_in_cells(blocks);
       // Each rank comes to the same cells.
@@ -268,12 +157,13 @@ namespace Sandglass
                            return volume >= largest - equal * least;
                          }) -
             room.begin();
-          if (mass_due < density * mean_volumes[i] || room[i] < mean_volumes[i])
+          if (mass_due < opening.density * mean_volumes[i] ||
+              room[i] < mean_volumes[i])
             return;
-          mass_due -= density * mean_volumes[i];
+          mass_due -= opening.density * mean_volumes[i];
           room[i] -= mean_volumes[i];
-          if (is_own[i])
-            fill_up(blocks, cells[i]);
+          if (opening.is_own[i])
+            fill_up(blocks, opening.cells[i]);
         }
     }
 
@@ -281,10 +171,10 @@ namespace Sandglass
     std::vector<double>
     room_in_cells(const Blocks &blocks) const
     {
-      std::vector<double> room(cells.size(), 0.);
-      for (unsigned int i = 0; i < cells.size(); ++i)
-        if (is_own[i])
-          room[i] = free_volume(blocks, cells[i]);
+      std::vector<double> room(opening.cells.size(), 0.);
+      for (unsigned int i = 0; i < opening.cells.size(); ++i)
+        if (opening.is_own[i])
+          room[i] = opening.free_volume(blocks, opening.cells[i]);
       // The other ranks add zero.
       Utilities::MPI::sum(room, communicator, room);
       return room;
@@ -294,8 +184,11 @@ namespace Sandglass
     void
     fill_up(const Blocks &blocks, const unsigned int cell)
     {
-      const unsigned int k = emptiest_place(blocks, cell);
-      add(cell, k, n_fed[id(cell, k)]++, mean_velocity(blocks, cell));
+      const unsigned int k = opening.emptiest_place(blocks, cell);
+      opening.add(cell,
+                  k,
+                  n_fed[opening.id(cell, k)]++,
+                  opening.mean_velocity(blocks, cell));
     }
 
     void
@@ -307,10 +200,10 @@ namespace Sandglass
       for (unsigned long i = n_due(clock.time); i < last; ++i)
         {
           const Place &place = places[i % places.size()];
-          if (place.is_own &&
-              free_volume(blocks, place.cell) >=
-                initial_configuration.volume(id(place.cell, place.k)))
-            add(place.cell, place.k, i / places.size(), velocity);
+          if (place.is_own && opening.free_volume(blocks, place.cell) >=
+                                opening.initial_configuration.volume(
+                                  opening.id(place.cell, place.k)))
+            opening.add(place.cell, place.k, i / places.size(), velocity);
         }
     }
 
@@ -336,34 +229,13 @@ namespace Sandglass
              (next - places.begin());
     }
 
-    /// @param n_before  how many have been fed at this place.
-    void
-    add(const unsigned int    cell,
-        const unsigned int    k,
-        const unsigned long   n_before,
-        const Tensor<1, dim> &velocity)
-    {
-      Parcel parcel{};
-      parcel.cell            = cell;
-      parcel.id              = initial_configuration.fed_id(cell, k, n_before);
-      parcel.reference_point = initial_configuration.points[k];
-      parcel.location        = initial_configuration.position(parcel.id);
-      parcel.properties[Layout::mass]    = mass(cell, k);
-      parcel.properties[Layout::density] = density;
-      for (unsigned int d = 0; d < dim; ++d)
-        parcel.properties[Layout::velocity + d] = velocity[d];
-      std::copy_n(law_state.begin(),
-                  Layout::n_law_numbers,
-                  parcel.properties.begin() + Layout::law_state);
-      entering.push_back(parcel);
-    }
-
     /// Refuse a rate that the opening doesn't let through at this speed.
     void
     check_rate(const Scene<dim> &scene) const
     {
-      const double largest = density * parameters.speed *
-                             opening_area(scene.mesh, cells, scene.formulation);
+      const double largest =
+        opening.density * parameters.speed *
+        opening_area(scene.mesh, opening.cells, scene.formulation);
       if (rate <= largest)
         return;
       std::ostringstream value, allowed;
@@ -378,14 +250,14 @@ namespace Sandglass
     order_places()
     {
       constexpr double   golden = 0.6180339887498949;
-      const unsigned int n      = initial_configuration.points.size();
+      const unsigned int n      = opening.initial_configuration.points.size();
       std::vector<std::pair<double, Place>> ordered;
-      for (unsigned int i = 0; i < cells.size(); ++i)
+      for (unsigned int i = 0; i < opening.cells.size(); ++i)
         for (unsigned int k = 0; k < n; ++k)
           {
             const double turn = golden * ordered.size();
-            ordered.push_back(
-              {turn - std::floor(turn), {cells[i], k, is_own[i], 0.}});
+            ordered.push_back({turn - std::floor(turn),
+                               {opening.cells[i], k, opening.is_own[i], 0.}});
           }
       std::stable_sort(ordered.begin(),
                        ordered.end(),
@@ -395,7 +267,7 @@ namespace Sandglass
       double mass_up_to = 0.;
       for (auto &[turn, place] : ordered)
         {
-          mass_up_to += mass(place.cell, place.k);
+          mass_up_to += opening.mass(place.cell, place.k);
           place.mass_up_to = mass_up_to;
           places.push_back(place);
         }
@@ -409,18 +281,13 @@ namespace Sandglass
       double       mass_up_to; ///< in a round, this place's included, in kg
     };
 
-    const Configuration      &initial_configuration;
-    const double              density;
-    const std::vector<double> law_state;
-    const FeedParameters     &parameters;
-    const double              rate; ///< of the grid, in kg/s
+    const FeedParameters &parameters;
+    const double          rate; ///< of the grid, in kg/s
+    const MPI_Comm        communicator;
+    Opening               opening;
 
-    const MPI_Comm communicator;
-
-    std::vector<unsigned int> cells;  ///< of the opening, on all ranks
-    std::vector<bool>         is_own; ///< which of them this rank has
-    std::vector<Place>        places; ///< of rain, on all ranks
-    /// Of particles in these cells, in m^3, where a level is kept.
+    std::vector<Place> places; ///< of rain, on all ranks
+    /// Of particles in the opening's cells, in m^3, where a level is kept.
     std::vector<double> mean_volumes;
     /// Of this rank.
     std::vector<unsigned int> cells_below_outlet;
@@ -428,9 +295,6 @@ namespace Sandglass
     /// By the id of the initial particle at a place, how many have been fed
     /// there on this rank.
     std::map<unsigned int, unsigned int> n_fed;
-
-    /// Kept between calls to avoid allocation.
-    std::vector<Parcel> entering;
   };
 } // namespace Sandglass
 
