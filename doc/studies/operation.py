@@ -3,8 +3,9 @@ through a part of an outlet."""
 import math
 
 import run_output
-from operation_cases import (LAYERS, NAME, OUTLET, SHARES, layer_run,
-                             opening_run, runs, steady_run)
+from operation_cases import (FUNNEL_SIZES, LAYERS, NAME, OUTLET, SHARES,
+                             funnel_run, layer_run, opening_run, runs,
+                             steady_run)
 from plots import STYLE, plt, save
 from runs import make_all
 from tables import markdown, number
@@ -20,7 +21,11 @@ def make_runs():
 
 def results():
     return ([janssen_row(n) for n in LAYERS if has_ended(layer_run(n))] +
-            [steady_row() for run in [steady_run()] if has_ended(run)] +
+            [steady_row("hopper", run)
+             for run in [steady_run()] if has_ended(run)] +
+            [steady_row(cell_type, funnel_run(cell_type))
+             for cell_type in FUNNEL_SIZES
+             if has_ended(funnel_run(cell_type))] +
             [opening_row(share) for share in SHARES
              if has_ended(opening_run(share, True)) and
              has_ended(opening_run(share, False))])
@@ -33,7 +38,8 @@ def has_ended(run):
 def row(kind, case, **values):
     names = ("wall_force_N_per_m", "lateral_ratio", "over_janssen",
              "friction_over_janssen", "flow_rate_kg_per_s", "over_outlet",
-             "exponent", "spread", "emptying_times", "mass_error")
+             "exponent", "spread", "last_over_second", "emptying_time_s",
+             "emptying_times", "mass_over_initial", "mass_error")
     return {"kind": kind, "case": case,
             **{name: values.get(name) for name in names}}
 
@@ -86,21 +92,33 @@ def janssen_row(n_layers):
 
 # --- Steady state --------------------------------------------------------------
 
-def steady_row():
+def steady_row(case, run):
     """The rate over each emptying time of the silo, after the first."""
-    directory = steady_run().directory
+    rates, unit = rates_by_content(run.directory)
+    settled = rates[1:]
+    mean = sum(settled) / len(settled)
+    summary = run_output.read_summary(run.directory)
+    history = run_output.read_table(run.directory, "history.csv")
+    return row("steady", case, flow_rate_kg_per_s=mean,
+               spread=(max(settled) - min(settled)) / mean,
+               last_over_second=sum(settled[-3:]) / sum(settled[:3]),
+               emptying_time_s=unit, emptying_times=len(rates),
+               mass_over_initial=history["mass_in_silo_kg"][-1] /
+               history["mass_in_silo_kg"][0],
+               mass_error=summary["mass_balance_error"])
+
+
+def rates_by_content(directory):
+    """Over one emptying time after the other, and how long that is: the silo's
+    content over the rate of the second half."""
     history = run_output.read_table(directory, "history.csv")
     times, masses = history["time_s"], history["mass_discharged_kg"]
-    unit = history["mass_in_silo_kg"][0] / ((masses[-1] - mass_at(
-        times, masses, times[-1] / 2)) / (times[-1] / 2))
-    n = int(times[-1] / unit)
-    rates = [(mass_at(times, masses, (i + 1) * unit) -
-              mass_at(times, masses, i * unit)) / unit for i in range(1, n)]
-    mean = sum(rates) / len(rates)
-    return row("steady", f"{unit:.2f} s", flow_rate_kg_per_s=mean,
-               spread=(max(rates) - min(rates)) / mean, emptying_times=n,
-               mass_error=run_output.read_summary(directory)[
-                   "mass_balance_error"])
+    half = times[-1] / 2
+    rate = (masses[-1] - mass_at(times, masses, half)) / half
+    unit = history["mass_in_silo_kg"][0] / rate
+    return [(mass_at(times, masses, (i + 1) * unit) -
+             mass_at(times, masses, i * unit)) / unit
+            for i in range(int(times[-1] / unit))], unit
 
 
 def mass_at(times, masses, time):
@@ -154,16 +172,21 @@ def gates(rows):
           number(row["exponent"], ".2f")] for row in of_kind(rows, "gate")])
 
 
+SILOS = {"hopper": "hopper, triangles", "triangle": "flat bottom, triangles",
+         "quadrilateral": "flat bottom, squares"}
+
+
 def steady(rows):
-    found = of_kind(rows, "steady")
-    if not found:
-        return "not run"
-    row = found[0]
-    return (f"{row['flow_rate_kg_per_s']:.0f} kg/(s m) on average, "
-            f"{100 * row['spread']:.1f} % between the largest and the smallest "
-            f"mean over an emptying time of {row['case']}, in "
-            f"{row['emptying_times']} of them; masses add up to "
-            f"{row['mass_error']:.0e}")
+    return markdown(
+        ["silo", "flow rate, kg/(s m)", "emptying time, s", "emptying times",
+         "largest less smallest over the mean", "last three over first three",
+         "mass in the silo over that of the start", "mass balance"],
+        [[SILOS[row["case"]], number(row["flow_rate_kg_per_s"]),
+          number(row["emptying_time_s"], ".2f"), row["emptying_times"],
+          f"{100 * row['spread']:.1f} %", number(row["last_over_second"], ".3f"),
+          number(row["mass_over_initial"], ".3f"),
+          number(row["mass_error"], ".0e")]
+         for row in of_kind(rows, "steady")])
 
 
 def parts(rows):
@@ -172,17 +195,23 @@ def parts(rows):
 
 
 def draw(rows):
-    """The steady state's flow rate over time."""
-    if not of_kind(rows, "steady"):
-        return
-    flow = run_output.read_table(steady_run().directory, "flow_rate.csv")
-    mean = of_kind(rows, "steady")[0]["flow_rate_kg_per_s"]
+    """The flow rates of the steady states over time."""
+    cases = {"hopper": steady_run(), **{cell_type: funnel_run(cell_type)
+                                        for cell_type in FUNNEL_SIZES}}
     with plt.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(7, 3), layout="constrained")
-        axes.axhspan(0.985 * mean, 1.015 * mean, color="#dddddd", linewidth=0)
-        axes.plot(flow["time_s"], flow["mass_flow_rate_kg_per_s"],
-                  color="#1d3557", linewidth=0.8)
-        axes.set_xlabel("time, s")
-        axes.set_ylabel("flow rate, kg/(s m)")
-        axes.set_ylim(bottom=0)
+        figure, panels = plt.subplots(1, len(cases), figsize=(12, 3),
+                                      sharey=True, layout="constrained")
+        for axes, found in zip(panels, of_kind(rows, "steady")):
+            flow = run_output.read_table(cases[found["case"]].directory,
+                                         "flow_rate.csv")
+            mean = found["flow_rate_kg_per_s"]
+            axes.axhspan(0.985, 1.015, color="#dddddd", linewidth=0)
+            axes.plot(flow["time_s"],
+                      [rate / mean if rate != "" else math.nan
+                       for rate in flow["mass_flow_rate_kg_per_s"]],
+                      color="#1d3557", linewidth=0.8)
+            axes.set_title(SILOS[found["case"]], fontsize=11)
+            axes.set_xlabel("time, s")
+        panels[0].set_ylabel("flow rate over its mean")
+        panels[0].set_ylim(0.7, 1.3)
         save(figure, NAME + ".png")

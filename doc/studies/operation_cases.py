@@ -7,6 +7,8 @@ LAYERS = (1, 2, 4, 8, 16, 32)
 SHARES = (25, 50, 75, 100)  # of the outlet that a gate leaves open, %
 OUTLET = 0.2  # half width of the whole outlet, m
 STEADY_END = 45.  # s
+# Of elements, and of those at the lip, in m
+FUNNEL_SIZES = {"triangle": (0.05, 0.02), "quadrilateral": (0.025, 0)}
 
 
 def layer_run(n_layers):
@@ -17,6 +19,20 @@ def layer_run(n_layers):
 def steady_run():
     return study_run(NAME, "steady", "../operation/refill",
                      (("Stop/Steady within", 0),
+                      ("Particle stage/End time", STEADY_END),
+                      ("Output/History interval", 0.05)), WITHOUT_FIELDS)
+
+
+def funnel_run(cell_type):
+    """A flat bottom instead of the hopper; as fine at the lip on both cells."""
+    size, at_lip = FUNNEL_SIZES[cell_type]
+    return study_run(NAME, f"funnel-{cell_type}", "../operation/refill",
+                     (("Scene/Hopper height", 0),
+                      ("Scene/Wall height", 1),
+                      ("Scene/Cell type", cell_type),
+                      ("Scene/Element size", size),
+                      ("Scene/Outlet element size", at_lip),
+                      ("Stop/Steady within", 0),
                       ("Particle stage/End time", STEADY_END),
                       ("Output/History interval", 0.05)), WITHOUT_FIELDS)
 
@@ -38,5 +54,6 @@ def opening_run(share, has_gate):
 
 def runs():
     return ([layer_run(n) for n in LAYERS] + [steady_run()] +
+            [funnel_run(cell_type) for cell_type in FUNNEL_SIZES] +
             [opening_run(share, has_gate) for share in SHARES
              for has_gate in (True, False)])

@@ -217,8 +217,7 @@ namespace Sandglass
     feed_particles()
     {
       fed.clear();
-      for (const Parcel &parcel :
-           feed.due(cloud.blocks(), time, removed.discharged - this->mass_fed))
+      for (const Parcel &parcel : feed.due(cloud.blocks(), time))
         {
           this->mass_fed += parcel.properties[Layout::mass];
           fed.push_back(cloud.insert(parcel));
