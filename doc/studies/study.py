@@ -17,6 +17,7 @@ import hopper_fields
 import mass_matrix
 import materials
 import mesh_seeds
+import operation
 import outlet_sweep
 import performance
 import two_methods
@@ -26,10 +27,9 @@ import work_precision
 
 STUDIES = {study.NAME: study
            for study in (any_silo, closed_silos, design_case, element_tests,
-                         hopper_fields, outlet_sweep,
-                         mesh_seeds, mass_matrix, materials, performance,
-                         two_methods, verification, will_it_flow,
-                         work_precision)}
+                         hopper_fields, outlet_sweep, mesh_seeds, mass_matrix,
+                         materials, operation, performance, two_methods,
+                         verification, will_it_flow, work_precision)}
 
 
 def write_csv(name, rows):

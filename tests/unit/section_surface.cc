@@ -166,6 +166,25 @@ TEST_P(Section, IsCutAlongSurface)
 
 
 
+// Layers have levels of their own, which leave the surface where it is.
+TEST_P(Section, KeepsSurfaceInLayers)
+{
+  for (const unsigned int n_layers : {2, 5, 10, 20})
+    {
+      Silo silo(GetParam(), 0.4);
+      silo.fill_height         = 0.9;
+      silo.surface_slope       = 30.;
+      silo.is_filled_in_layers = true;
+      silo.n_layers            = n_layers;
+      const Mesh<2> mesh       = make_mesh<2>(silo, MPI_COMM_SELF);
+      EXPECT_LT(distance_from_surface(mesh, std::tan(M_PI / 6.)), 1e-9);
+      EXPECT_NEAR(area(mesh, true), 0.4 * (0.8 + 0.2) + 1.6 * 0.5, 1e-9);
+      EXPECT_GT(worst_shape(mesh), 0.1);
+    }
+}
+
+
+
 // A level that leaves no room for a cell is the section's top.
 TEST_P(Section, EndsAtSurfaceNearTop)
 {

@@ -308,7 +308,7 @@ namespace Sandglass
         outlets.masses(cloud.blocks(), scene.communicator);
       if (feed.is_on())
         totals.mass_fed =
-          Utilities::MPI::sum(this->mass_fed, scene.communicator);
+          Utilities::MPI::sum<double>(this->mass_fed, scene.communicator);
       return totals;
     }
 

@@ -1,6 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_particle_stage_h
 #define sandglass_flow_particle_in_cell_particle_stage_h
 
+#include <sandglass/base/compensated_sum.h>
 #include <sandglass/flow/dynamic_flow.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
 #include <sandglass/flow/particle_in_cell/feed_parameters.h>
@@ -241,7 +242,7 @@ namespace Sandglass
     OutletMasses<dim> outlets;
 
     /// What has been fed since the start on this rank, in kg.
-    double mass_fed = 0.;
+    CompensatedSum mass_fed;
 
     /// Whether settle() makes the steps, in which nothing is fed.
     bool is_settling = false;
