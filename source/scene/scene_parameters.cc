@@ -205,7 +205,7 @@ namespace Sandglass
       "Material points in each filled cell: the centroids of equal parts into "
       "which the cell's edges are divided, a square number in two dimensions "
       "and a cube in three; `auto`: in two 9 where Element size is `auto` too, "
-      "else 4; in three 8.");
+      "else 4; in three 8 in tetrahedra, 27 in hexahedra.");
     add_selection<bool>(*this,
                         "Outlet",
                         outlet_is_open,

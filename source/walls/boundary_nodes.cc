@@ -215,12 +215,12 @@ namespace Sandglass
 
     template <int dim>
     bool
-    has_axis(const BoundaryNode<dim> &node)
+    has_wall(const BoundaryNode<dim> &node)
     {
       return std::any_of(node.supports.begin(),
                          node.supports.end(),
                          [](const Support<dim> &support) {
-                           return support.is_axis;
+                           return !support.is_axis;
                          });
     }
 
@@ -292,7 +292,7 @@ namespace Sandglass
             share_out(support, walls);
           }
         // Where a wall ends at the open part of the boundary.
-        node.is_outlet_lip = node.is_outlet_lip && !has_axis(node);
+        node.is_outlet_lip = node.is_outlet_lip && has_wall(node);
         node.is_free       = node.is_outlet_lip &&
                        parameters.outlet_lip == WallParameters::OutletLip::free;
         node.is_fixed = parameters.fix_bottom_corner && !node.is_free &&

@@ -1,61 +1,14 @@
-#include <sandglass/flow/updated_lagrangian/static_stage.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
 
-#include "solid_fixture.h"
+#include "solid_rest_fixture.h"
 
 using namespace Sandglass;
 
 namespace
 {
-  /// The state at rest of a mesh in space.
-  struct SolidRest : SolidFixture
-  {
-    StaticState<3>
-    run(const Mesh<3> &mesh)
-    {
-      scene = std::make_unique<Scene<3>>(
-        mesh, walls, Formulation::three_dimensions, 8, gravity, MPI_COMM_WORLD);
-      ConditionalOStream log(log_text);
-      StaticStage<3>     stage(*scene, material, walls, static_stage, log);
-      const auto         state = stage.run();
-      std::cout << state.effort.n_unknowns << " unknowns, "
-                << state.effort.n_newton_iterations << " Newton, "
-                << state.effort.n_linear_iterations << " linear iterations, "
-                << state.effort.n_relaxation_steps << " relaxation steps"
-                << (state.effort.is_direct ? ", direct" : ", multigrid")
-                << std::endl;
-      return state;
-    }
-
-    unsigned int
-    n_points() const
-    {
-      return scene->mesh.cell_type == CellType::tetrahedron ? 1 : 8;
-    }
-
-    SymmetricComponents<6>
-    mean_stress(const StaticState<3> &state, const unsigned int cell) const
-    {
-      SymmetricComponents<6> sum = SymmetricComponents<6>::Zero();
-      for (unsigned int q = 0; q < n_points(); ++q)
-        sum += state.cells[cell].stress[q];
-      return sum / n_points();
-    }
-
-    Tensor<1, 3>
-    force_of_walls(const StaticState<3> &state) const
-    {
-      Tensor<1, 3> sum;
-      for (const auto &force : state.wall_forces)
-        sum += force.force;
-      return sum;
-    }
-  };
-
   class SolidRestOf : public testing::TestWithParam<CellType>
   {};
 } // namespace

@@ -80,6 +80,42 @@ TEST_P(SolidWalls, NodesOfABoxHaveASupportForEachSideTheyAreOn)
   EXPECT_NEAR(area, 2 * 2. * 3. + 1. * 3. + 2 * 1. * 2., 1e-12);
 }
 
+// The outlet of a quarter: its edge ends at the symmetry planes, and is free
+// there as it is elsewhere.
+TEST_P(SolidWalls, TheLipReachesTheSymmetryPlanes)
+{
+  constexpr double outlet = 1. / 3., rounding = 1e-12;
+  Box              box;
+  box.cell_type   = GetParam();
+  box.n           = {{3, 3, 3}};
+  box.roles       = {{{{BoundaryRole::axis, BoundaryRole::wall}},
+                      {{BoundaryRole::fall_bottom, BoundaryRole::top}},
+                      {{BoundaryRole::axis, BoundaryRole::wall}}}};
+  box.is_left_out = [&](const Point<3> &p) {
+    return p[1] < outlet && std::max(p[0], p[2]) > outlet;
+  };
+  box.role_at_gap = [&](const Point<3> &p) {
+    return std::abs(p[1] - outlet) < rounding ? BoundaryRole::floor :
+                                                BoundaryRole::fall_side;
+  };
+  const WallParameters parameters;
+  const Scene<3>       scene(box.mesh(),
+                       parameters,
+                       Formulation::three_dimensions,
+                       8,
+                       Tensor<1, 3>(),
+                       MPI_COMM_SELF);
+  for (const auto &node : find_boundary_nodes(
+         scene.dof_handler, scene.formulation, scene.walls, parameters))
+    {
+      const Point<3> &p = node.position;
+      EXPECT_EQ(node.is_free,
+                std::abs(p[1] - outlet) < rounding &&
+                  std::abs(std::max(p[0], p[2]) - outlet) < rounding)
+        << p;
+    }
+}
+
 TEST(Facets, OfACurvedWallBecomeOneDirection)
 {
   Facets<3> facets;

@@ -82,11 +82,7 @@ namespace Sandglass
   HeldNodes<dim>::release_always_held(NodalField<dim> &field) const
   {
     release(field, [this](const unsigned int n, const Tensor<1, dim> &) {
-      SupportSet held = 0;
-      for (unsigned int s = 0; s < nodes[n].supports.size(); ++s)
-        if (nodes[n].supports[s].is_axis)
-          held |= 1u << s;
-      return held;
+      return axis_of(nodes[n]);
     });
   }
 

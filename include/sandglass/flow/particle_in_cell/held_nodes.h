@@ -46,8 +46,19 @@ namespace Sandglass
                      const Tensor<1, dim>    &velocity)
     {
       return node.is_free ?
-               0 :
+               axis_of(node) :
                Sandglass::holding_supports<dim>(node.supports, velocity);
+    }
+
+    /// A node's supports that hold it for ever: axis or symmetry planes.
+    static SupportSet
+    axis_of(const BoundaryNode<dim> &node)
+    {
+      SupportSet axis = 0;
+      for (unsigned int s = 0; s < node.supports.size(); ++s)
+        if (node.supports[s].is_axis)
+          axis |= 1u << s;
+      return axis;
     }
 
     /// What is left of a velocity that the given supports hold.

@@ -42,8 +42,10 @@ namespace Sandglass
         return pass.run(
           blocks, acceleration, velocity, sums, volumetric_average, strays);
       };
-      return volumetric_average.is_on ? run(pass_of<true>(clock.time_step)) :
-                                        run(pass_of<false>(clock.time_step));
+      if constexpr (Law::takes_averaged_strain)
+        if (volumetric_average.is_on)
+          return run(pass_of<true>(clock.time_step));
+      return run(pass_of<false>(clock.time_step));
     }
 
     Elasticity

@@ -60,8 +60,8 @@ namespace Sandglass
         Strays<Layout>             &strays) const
     {
       strays.clear();
-      Lanes dissipation(0.);
-      run_with_widest_vectors([&]() {
+      Lanes      dissipation(0.);
+      const auto pass = [&]() {
         for_each_cell_of_particles(blocks, [&](const unsigned int cell) {
           const auto &nodes = geometry.nodes(cell);
           run_in_cell(blocks,
@@ -73,13 +73,23 @@ namespace Sandglass
                       volumetric_average,
                       strays);
         });
-      });
+      };
+      if constexpr (has_use_of_widest_vectors)
+        run_with_widest_vectors(pass);
+      else
+        InstructionSets::run_as_built(pass);
       return sum(dissipation);
     }
 
   private:
     using OfNodes     = CellValues<dim, n_nodes>;
     using Deformation = CellDeformation<Setting, Law, is_averaged>;
+
+    /// Laws that can fail, or whose stiffness changes with the state, take one
+    /// particle after the other, and most of the time. In space their passes
+    /// are compiled once only.
+    static constexpr bool has_use_of_widest_vectors =
+      dim == 2 || (Law::has_constant_stiffness && !Law::can_fail);
 
     static constexpr bool has_volumetric_sums =
       is_averaged && !Setting::has_uniform_strain;

@@ -1,0 +1,1 @@
+-s "Scene/Cell type=hexahedron" -s "Scene/Element size=0.125" -s "Scene/Outlet element size=0.0625" -s "Static stage/Relative residual=1e-12" -s "Particle stage/End time=0.12" -s "Output/Interval=0.05" -s "Output/History interval=0.02"
