@@ -30,7 +30,7 @@ namespace Sandglass
   check_cells(TriangleMesh &mesh);
 
   /// Throws RunError where a re-zoning has changed the material's area by more
-  /// than a hundredth and by more than half an element: then its boundary was
+  /// than a hundredth and by more than two elements: then its boundary was
   /// drawn wrongly.
   /// @param element_size  edge of the new elements in m.
   void
