@@ -3,7 +3,7 @@ from study_runs import WITHOUT_FIELDS, study_run
 
 NAME = "operation"
 
-LAYERS = (1, 2, 4, 8, 16, 32)
+LAYERS = (1, 2, 4, 8, 16, 25)
 SHARES = (25, 50, 75, 100)  # of the outlet that a gate leaves open, %
 OUTLET = 0.2  # half width of the whole outlet, m
 STEADY_END = 45.  # s

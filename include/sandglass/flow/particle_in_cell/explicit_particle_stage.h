@@ -217,7 +217,8 @@ namespace Sandglass
     feed_particles()
     {
       fed.clear();
-      for (const Parcel &parcel : feed.due(cloud.blocks(), time))
+      for (const Parcel &parcel :
+           feed.due(cloud.blocks(), time, removed.discharged - this->mass_fed))
         {
           this->mass_fed += parcel.properties[Layout::mass];
           fed.push_back(cloud.insert(parcel));

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -24,10 +23,11 @@ namespace Sandglass
    * add.
    *
    * With FeedKind::level the cells are those at the material's first surface.
-   * They are kept full together: where there is most room particles enter, with
-   * the velocity of those that are there. (To fill each cell whenever it has
-   * room would let in too much: of the few particles in a cell there are now
-   * more, now fewer.) With FeedKind::rain the cells are those at the grid's
+   * As much enters as has passed the outlets, where there is most room, with
+   * the velocity of those that are there. (To fill cells, each or all together,
+   * whenever they have room lets in up to a third too much: there are now more
+   * particles, now fewer, and who enters near the cell's bottom leaves it
+   * early.) With FeedKind::rain the cells are those at the grid's
    * top. Each of their places gets a particle in turn, when its mass is due;
    * what finds no room then stays outside, so that a full silo takes no more.
    */
@@ -66,8 +66,15 @@ namespace Sandglass
           order_places();
         }
       else if (parameters.kind == FeedKind::level)
-        for (const unsigned int cell : opening.cells)
-          mean_volumes.push_back(opening.mean_volume(cell));
+        {
+          for (const unsigned int cell : opening.cells)
+            mean_volumes.push_back(opening.mean_volume(cell));
+          for (unsigned int cell = 0; cell < scene.mesh.cells.size(); ++cell)
+            if (scene.cell_owners[cell] ==
+                  Utilities::MPI::this_mpi_process(scene.communicator) &&
+                middle_of_cell(scene.mesh, cell)[1] < 0.)
+              cells_below_outlet.push_back(cell);
+        }
     }
 
     bool
@@ -76,16 +83,23 @@ namespace Sandglass
       return parameters.kind != FeedKind::none;
     }
 
-    /// This rank's particles that enter in the step of this clock; valid until
-    /// the next call. Collective.
+    /**
+     * This rank's particles that enter in the step of this clock; valid until
+     * the next call. Collective.
+     *
+     * @param mass_left  what has left the grid and has not been fed, on this
+     *   rank, in kg.
+     */
     const std::vector<Parcel> &
-    due(const Blocks &blocks, const Clock &clock)
+    due(const Blocks &blocks, const Clock &clock, const double mass_left)
     {
       opening.entering.clear();
       if (parameters.kind == FeedKind::rain)
         let_it_rain(blocks, clock);
       else if (parameters.is_on_at(clock.time))
-        keep_level(blocks);
+        keep_level(blocks,
+                   Utilities::MPI::sum(mass_left + falling_mass(blocks),
+                                       communicator));
       return opening.entering;
     }
 
@@ -110,28 +124,43 @@ namespace Sandglass
     }
 
   private:
-    void
-    keep_level(const Blocks &blocks)
+    /// What has passed the outlets but not left the grid, in kg.
+    double
+    falling_mass(const Blocks &blocks) const
     {
-      // Rounding decides nothing, or ranks might come to different cells.
-      constexpr double    rounding = 1e-9;
-      std::vector<double> room     = room_in_cells(blocks);
-      // Cells with more than they have room for count as well.
-      double all_room = std::accumulate(room.begin(), room.end(), 0.);
-      while (all_room > 0.)
+      double sum = 0.;
+      for (const unsigned int cell : cells_below_outlet)
+        blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
+          sum += blocks[slot.block].values[Block::mass][slot.lane];
+        });
+      return sum;
+    }
+
+    /// @param mass_due  of all ranks, in kg.
+    void
+    keep_level(const Blocks &blocks, double mass_due)
+    {
+      // Each rank comes to the same cells: rounding decides nothing.
+      constexpr double rounding = 1e-9;
+      const double     least =
+        *std::min_element(mean_volumes.begin(), mean_volumes.end());
+      if (mass_due < opening.density * least * (1. - rounding))
+        return;
+      std::vector<double> room = room_in_cells(blocks);
+      while (true)
         {
           const double largest = *std::max_element(room.begin(), room.end());
           const unsigned int i =
             std::find_if(room.begin(),
                          room.end(),
                          [&](const double volume) {
-                           return volume >= largest * (1. - rounding);
+                           return volume >= largest - rounding * least;
                          }) -
             room.begin();
           const double needed = mean_volumes[i] * (1. - rounding);
-          if (all_room < needed || room[i] < needed)
+          if (mass_due < opening.density * needed || room[i] < needed)
             return;
-          all_room -= mean_volumes[i];
+          mass_due -= opening.density * mean_volumes[i];
           room[i] -= mean_volumes[i];
           if (opening.is_own[i])
             fill_up(blocks, opening.cells[i]);
@@ -260,6 +289,8 @@ namespace Sandglass
     std::vector<Place> places; ///< of rain, on all ranks
     /// Of particles in the opening's cells, in m^3, where a level is kept.
     std::vector<double> mean_volumes;
+    /// Of this rank.
+    std::vector<unsigned int> cells_below_outlet;
 
     /// By the id of the initial particle at a place, how many have been fed
     /// there on this rank.
