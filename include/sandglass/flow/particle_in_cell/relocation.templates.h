@@ -105,9 +105,15 @@ namespace Sandglass
     if (location.kind == Kind::outside && is_held_by_lip(stray, location))
       location = hold_at_wall(stray, location);
 
+    // In space a wall may be curved or twisted: nodes that slide along it, and
+    // a lip's neighbouring faces, take particles a little beyond its faces; in
+    // an oblique cell that is a larger share of it.
+    constexpr double largest_depth = 0.5;
+    const double     depth =
+      dim == 3 && location.part.wall != no_wall ? largest_depth : rounding;
     const bool is_at_boundary =
       location.kind == Kind::outside && !is_open(location.part.role) &&
-      Geometry::is_inside(location.reference_point, -rounding);
+      Geometry::is_inside(location.reference_point, -depth);
     if (location.kind == Kind::inside || is_at_boundary)
       {
         settle(stray, location);
