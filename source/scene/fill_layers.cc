@@ -66,9 +66,10 @@ namespace Sandglass
                 (layers.layer_of(cells[0]) <= layer) !=
                   (layers.layer_of(cells[1]) <= layer))
               nodes.insert(vertices.begin(), vertices.end());
-          // A heap's surface stays where it is.
+          // A heap's surface and the outlet stay where they are.
           for (const auto &face : mesh.faces)
-            if (face.role == BoundaryRole::top)
+            if (face.role == BoundaryRole::top ||
+                face.role == BoundaryRole::outlet)
               for (const unsigned int vertex : face.vertices)
                 nodes.erase(vertex);
           const double level = layers.top_of(layer);

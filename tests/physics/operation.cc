@@ -128,9 +128,11 @@ TEST_P(Operation, RainHasItsRate)
   silo.stage->view().for_each_particle([&](const ParticleRecord &particle) {
     const double height = particle.initial_location[1] - particle.location[1];
     if (particle.initial_location[1] > 0.9 && particle.location[1] > 0.4)
-      EXPECT_NEAR(-particle.velocity[1],
-                  std::sqrt(1. + 2. * 9.81 * height),
-                  0.12 * std::sqrt(1. + 2. * 9.81 * height));
+      {
+        EXPECT_NEAR(-particle.velocity[1],
+                    std::sqrt(1. + 2. * 9.81 * height),
+                    0.12 * std::sqrt(1. + 2. * 9.81 * height));
+      }
   });
 }
 
@@ -164,7 +166,9 @@ TEST_P(Operation, GateOpensAndCloses)
       const FlowTotals totals = silo.totals();
       ASSERT_LT(silo.mass_error(initial_mass), 1e-12) << time;
       if (time < 0.1)
-        ASSERT_LT(discharged_mass(totals), 1e-12 * initial_mass) << time;
+        {
+          ASSERT_LT(discharged_mass(totals), 1e-12 * initial_mass) << time;
+        }
       if (time < 0.65)
         at_closure = discharged_mass(totals);
     }
