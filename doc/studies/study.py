@@ -13,9 +13,11 @@ import any_silo
 import closed_silos
 import design_case
 import element_tests
+import hopper_fields
 import mass_matrix
 import materials
 import mesh_seeds
+import operation
 import outlet_sweep
 import performance
 import two_methods
@@ -24,10 +26,10 @@ import will_it_flow
 import work_precision
 
 STUDIES = {study.NAME: study
-           for study in (any_silo, closed_silos, design_case, element_tests, outlet_sweep,
-                         mesh_seeds, mass_matrix, materials, performance,
-                         two_methods, verification, will_it_flow,
-                         work_precision)}
+           for study in (any_silo, closed_silos, design_case, element_tests,
+                         hopper_fields, outlet_sweep, mesh_seeds, mass_matrix,
+                         materials, operation, performance, two_methods,
+                         verification, will_it_flow, work_precision)}
 
 
 def write_csv(name, rows):

@@ -14,7 +14,8 @@ namespace Sandglass
   {
     CommonFriction friction;
     double         slope    = std::numeric_limits<double>::quiet_NaN();
-    bool           is_plain = true;
+    bool           fits     = true;
+    bool           has_step = false;
     for (const Edge &edge : edges)
       {
         if (edge.upper[1] > foot + rounding || is_part_of_side(edge))
@@ -23,7 +24,7 @@ namespace Sandglass
         if (along[1] <= small_sine * along.norm())
           {
             // A floor below the hopper is none of it, one within it a step.
-            is_plain = is_plain && edge.upper[1] < bottom + rounding;
+            has_step = has_step || edge.upper[1] >= bottom + rounding;
             continue;
           }
         friction.add(scene.walls[edge.wall]);
@@ -34,11 +35,12 @@ namespace Sandglass
                               *std::max_element(sides.begin(), sides.end()) :
                               *std::min_element(sides.begin(), sides.end());
         for (const Point<2> &end : {edge.lower, edge.upper})
-          is_plain = is_plain && std::abs(end[0] - side +
-                                          std::copysign(slope, of_edge) *
-                                            (foot - end[1])) <= 2. * rounding;
+          fits = fits && std::abs(end[0] - side +
+                                  std::copysign(slope, of_edge) *
+                                    (foot - end[1])) <= 2. * rounding;
       }
-    if (std::isnan(slope) || !is_plain || !friction.value())
+    is_plain = is_plain && !has_step;
+    if (std::isnan(slope) || !fits || has_step || !friction.value())
       return;
     hopper_slope                = slope;
     hopper_friction_coefficient = friction.value();

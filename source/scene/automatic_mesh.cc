@@ -83,8 +83,20 @@ namespace Sandglass
     double
     filled_area(const SceneParameters &silo)
     {
+      const double level = silo.fill_height.value_or(silo.silo_height());
+      if (level < silo.hopper_height)
+        {
+          const double width_there =
+            silo.outlet_half_width +
+            (silo.half_width - silo.outlet_half_width) * level /
+              silo.hopper_height;
+          return (silo.is_symmetric ? 1. : 2.) * level *
+                 (silo.outlet_half_width + width_there) / 2.;
+        }
+      const double wall_height =
+        silo.fill_height ? level - silo.hopper_height : silo.wall_height;
       return (silo.is_symmetric ? 1. : 2.) *
-             (silo.half_width * silo.wall_height +
+             (silo.half_width * wall_height +
               (silo.half_width + silo.outlet_half_width) / 2. *
                 silo.hopper_height);
     }
@@ -109,10 +121,15 @@ namespace Sandglass
     Resolution
     resolution_of_triangles(const SceneParameters &silo)
     {
-      Resolution   resolution;
-      const double elsewhere =
-        std::min(silo.half_width / triangles_across_half_width,
-                 shortest_wall(silo) / triangles_along_wall);
+      Resolution resolution;
+      double elsewhere = std::min(silo.half_width / triangles_across_half_width,
+                                  shortest_wall(silo) / triangles_along_wall);
+      // A low layer is no reason for a mesh that is ever so fine.
+      if (silo.fill_height)
+        elsewhere =
+          std::max(elsewhere / 2.,
+                   std::min(elsewhere,
+                            *silo.fill_height / triangles_along_wall));
       const double at_lip =
         std::min(elsewhere,
                  2. * silo.outlet_half_width /

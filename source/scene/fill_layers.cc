@@ -66,6 +66,11 @@ namespace Sandglass
                 (layers.layer_of(cells[0]) <= layer) !=
                   (layers.layer_of(cells[1]) <= layer))
               nodes.insert(vertices.begin(), vertices.end());
+          // A heap's surface stays where it is.
+          for (const auto &face : mesh.faces)
+            if (face.role == BoundaryRole::top)
+              for (const unsigned int vertex : face.vertices)
+                nodes.erase(vertex);
           const double level = layers.top_of(layer);
           move_surface_nodes(mesh, nodes, [level](const double) {
             return level;

@@ -16,29 +16,29 @@ namespace Sandglass
 {
   namespace
   {
-    /// Where material is in the mesh: least and largest x, and the top.
-    struct Extent
+    /// Where material is in a mesh that it fills to the top.
+    template <int dim>
+    SiloExtent
+    extent_of_material(const Mesh<dim> &mesh)
     {
       double left  = std::numeric_limits<double>::max();
       double right = std::numeric_limits<double>::lowest();
       double top   = std::numeric_limits<double>::lowest();
-    };
-
-    template <int dim>
-    Extent
-    extent_of_material(const Mesh<dim> &mesh)
-    {
-      Extent extent;
       for (const auto &cell : mesh.cells)
         if (cell.is_filled)
           for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
             {
               const auto &vertex = mesh.vertices[cell.vertices[v]];
-              extent.left        = std::min(extent.left, vertex[0]);
-              extent.right       = std::max(extent.right, vertex[0]);
-              extent.top         = std::max(extent.top, vertex[1]);
+              left               = std::min(left, vertex[0]);
+              right              = std::max(right, vertex[0]);
+              top                = std::max(top, vertex[1]);
             }
-      return extent;
+      const bool has_axis =
+        std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto &face) {
+          return face.role == BoundaryRole::axis;
+        });
+      const double middle = has_axis ? 0. : (left + right) / 2.;
+      return {middle, right - middle, top};
     }
 
 
@@ -116,31 +116,25 @@ namespace Sandglass
 
 
   template <int dim>
-  FillSurface<dim>::FillSurface(const Mesh<dim>       &mesh,
+  FillSurface<dim>::FillSurface(const SiloExtent      &silo,
                                 const SceneParameters &parameters)
-    : slope(std::tan(parameters.surface_slope * dealii::numbers::PI / 180.))
+    : middle(silo.middle)
+    , slope(std::tan(parameters.surface_slope * dealii::numbers::PI / 180.))
   {
-    const Extent extent = extent_of_material(mesh);
-    const bool   has_axis =
-      std::any_of(mesh.faces.begin(), mesh.faces.end(), [](const auto &face) {
-        return face.role == BoundaryRole::axis;
-      });
-    middle             = has_axis ? 0. : (extent.left + extent.right) / 2.;
-    const double width = extent.right - middle;
-    // Mean distance from the middle of a line, or of a circle
+    // Of a line, or of a circle
     const double mean_distance =
       dim == 3 || parameters.formulation == Formulation::axisymmetric ?
-        2. / 3. * width :
-        width / 2.;
-    apex = parameters.fill_height.value_or(extent.top) + slope * mean_distance;
+        2. / 3. * silo.width :
+        silo.width / 2.;
+    apex = parameters.fill_height.value_or(silo.top) + slope * mean_distance;
 
     constexpr double rounding = 1e-9;
-    if (apex > extent.top + rounding * width)
+    if (apex > silo.top + rounding * silo.width)
       {
         std::ostringstream allowed;
-        allowed << "the surface must lie below the silo's top at " << extent.top
+        allowed << "the surface must lie below the silo's top at " << silo.top
                 << " m: allowed are at most "
-                << extent.top - slope * mean_distance << " m";
+                << silo.top - slope * mean_distance << " m";
         if (slope > 0.)
           allowed << " with this Surface slope, whose apex is "
                   << slope * mean_distance << " m above the Fill height";
@@ -177,9 +171,13 @@ namespace Sandglass
   void
   fill_to_surface(Mesh<dim> &mesh, const SceneParameters &parameters)
   {
-    if (!parameters.fill_height && parameters.surface_slope == 0.)
+    const bool is_full =
+      !parameters.fill_height && parameters.surface_slope == 0.;
+    const bool is_cut =
+      dim == 2 && parameters.shape == SceneParameters::Shape::silo;
+    if (is_full || is_cut)
       return;
-    const FillSurface<dim> surface(mesh, parameters);
+    const FillSurface<dim> surface(extent_of_material(mesh), parameters);
     bool                   has_material = false;
     std::vector<bool>      was_filled;
     for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)

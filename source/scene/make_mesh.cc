@@ -14,6 +14,7 @@
 #include <sandglass/scene/mesh_outlet.h>
 #include <sandglass/scene/name_faces.h>
 #include <sandglass/scene/place_mesh.h>
+#include <sandglass/scene/section_surface.h>
 #include <sandglass/scene/silo_section.h>
 
 #include <gmsh.h>
@@ -44,7 +45,7 @@ namespace Sandglass
       orient_cells(mesh);
       check_overlap(mesh);
       if (!parameters.outlet_is_open)
-        leave_out_fall_region(mesh);
+        leave_out_fall_region(mesh, gmsh_mesh);
       name_faces(mesh, gmsh_mesh, parameters.outlet_is_open, warnings);
       place_mesh(mesh, parameters.formulation, warnings);
       if (gmsh_mesh.is_of_higher_order)
@@ -64,11 +65,12 @@ namespace Sandglass
   Mesh<2>
   mesh_silo<2>(const SceneParameters &parameters)
   {
-    GmshSession session;
+    const SectionSurface filling = section_surface(parameters);
+    GmshSession          session;
     try
       {
-        call_gmsh([&parameters]() {
-          add_silo_section(parameters);
+        call_gmsh([&]() {
+          add_silo_section(parameters, filling);
           set_gmsh_options(parameters);
           gmsh::model::mesh::generate(2);
         });
@@ -83,7 +85,22 @@ namespace Sandglass
                          "Element size");
       }
     std::vector<std::string> warnings;
-    return take_mesh<2>(parameters, warnings);
+    if (parameters.cell_type == CellType::triangle)
+      return take_mesh<2>(parameters, warnings);
+    try
+      {
+        return take_mesh<2>(parameters, warnings);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError("Scene",
+                         "Cell type",
+                         "quadrilateral",
+                         "its structured cells don't fit the silo and its "
+                         "surface (" +
+                           std::string(error.what()) +
+                           "); allowed is triangle here");
+      }
   }
 
 

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace Sandglass
 {
@@ -118,19 +120,22 @@ namespace Sandglass
     void
     check_groups(const GmshMesh &mesh, const GmshMesh::Element &cell)
     {
-      const auto n = cell.groups.count(material_group) +
-                     cell.groups.count(fall_region_group);
-      if (n == 1)
+      std::set<std::string> found;
+      for (const char *group : {material_group, fall_region_group, space_group})
+        if (cell.groups.count(group) > 0)
+          found.insert(group);
+      if (found.size() == 1)
         return;
       throw InputError(
         "the cell at " + place_of(mesh, cell) +
-        (n == 2 ? " belongs to both 'material' and 'fall_region'" :
-         cell.groups.empty() ?
-                  " belongs to no physical group" :
-                  " belongs to the physical group " + list_of(cell.groups)) +
-        "; allowed are cells that belong to either 'material' or "
-        "'fall_region' (what is neither, as the inside of an insert, must not "
-        "be meshed)");
+        (found.size() > 1 ? " belongs to both '" + *found.begin() + "' and '" +
+                              *std::next(found.begin()) + "'" :
+         cell.groups.empty() ? " belongs to no physical group" :
+                               " belongs to the physical group " +
+                                 list_of(cell.groups)) +
+        "; allowed are cells that belong to one of 'material', 'fall_region' "
+        "and, above the material, 'space' (what is none of them, as the inside "
+        "of an insert, must not be meshed)");
     }
 
 
@@ -247,10 +252,24 @@ namespace Sandglass
 
 
 
+  template <int dim>
+  void
+  leave_out_fall_region(Mesh<dim> &mesh, const GmshMesh &gmsh_mesh)
+  {
+    std::vector<typename Mesh<dim>::Cell> remaining;
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      if (gmsh_mesh.elements[dim][cell].groups.count(fall_region_group) == 0)
+        remaining.push_back(mesh.cells[cell]);
+    mesh.cells = std::move(remaining);
+  }
+
+
+
 #define INSTANTIATE(dim)                                                  \
   template Mesh<dim>   take_cells<dim>(const GmshMesh &, const CellType); \
   template std::string place<dim>(const dealii::Point<dim> &);            \
-  template void        leave_out_fall_region<dim>(Mesh<dim> &);
+  template void        leave_out_fall_region<dim>(Mesh<dim> &);           \
+  template void leave_out_fall_region<dim>(Mesh<dim> &, const GmshMesh &);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

@@ -33,8 +33,9 @@ namespace Sandglass
              "Mesh in Gmsh's format, for Shape = mesh file. Physical lines "
              "axis, wall, floor, hopper, outlet, fall_side, fall_bottom, top, "
              "and further walls that Walls/Friction angles names; "
-             "physical surfaces material and fall_region; in three dimensions, "
-             "surfaces and volumes, and axis names the symmetry planes. It is "
+             "physical surfaces material, fall_region, and space (empty above "
+             "the material); in three dimensions, surfaces and volumes, and "
+             "axis names the symmetry planes. It is "
              "moved so that axis or symmetry planes are at x = 0 and z = 0 and "
              "the outlet level at y = 0.");
     add_number(

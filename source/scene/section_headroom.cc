@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/scene/headroom.h>
+#include <sandglass/scene/mesh_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,15 @@ namespace Sandglass
   {
     using Face = Mesh<2>::Face;
 
-    /// The faces of the top, each from left to right.
+    /// The top's faces that end the mesh, each from left to right.
     std::vector<Face>
     find_top(const Mesh<2> &mesh)
     {
-      std::vector<Face> top;
+      const CellsAtFaces<2> cells_at = cells_at_faces(mesh);
+      std::vector<Face>     top;
       for (const Face &face : mesh.faces)
-        if (face.role == BoundaryRole::top)
+        if (face.role == BoundaryRole::top &&
+            cells_at.at(key_of<2>(face.vertices, 2)).size() == 1)
           top.push_back(face);
       for (Face &face : top)
         {

@@ -77,7 +77,8 @@ namespace
                                      make,
                                      fixture.material.density,
                                      fixture.walls,
-                                     fixture.parameters);
+                                     fixture.parameters,
+                                     fixture.feed);
     }
 
     StageFixture              fixture; // for its parameters

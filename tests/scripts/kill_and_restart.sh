@@ -20,7 +20,7 @@ seed=${5:-$(date +%s)}
 echo "seed $seed"
 RANDOM=$seed
 
-directory=$scratch/kill_and_restart/$ranks.$moments
+directory=$scratch/kill_and_restart/$(basename "$scene" .prm).$ranks.$moments
 rm -rf "$directory"
 mkdir -p "$directory"
 cd "$directory"

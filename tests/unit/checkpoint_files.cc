@@ -73,7 +73,10 @@ namespace
 
     // Blocks, as a disk has them.
     add("zeroed block", [](std::string text) {
-      return text.replace(text.size() / 2, 512, 512, '\0');
+      std::size_t i = text.size() / 2;
+      while (text[i] == '\0')
+        ++i;
+      return text.replace(i, 512, 512, '\0');
     });
     add("zeroed end", [](std::string text) {
       return text.replace(text.size() - 512, 512, 512, '\0');

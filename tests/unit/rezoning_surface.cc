@@ -39,10 +39,9 @@ namespace
         const auto &next     = loop[(i + 1) % loop.size()].curve;
         const auto  arriving = derivative_on_curve(loop[i].curve, 1.);
         const auto  leaving  = derivative_on_curve(next, 0.);
-        largest =
-          std::max(largest,
-                   std::abs(std::atan2(cross(arriving, leaving),
-                                       arriving * leaving)));
+        largest              = std::max(largest,
+                           std::abs(std::atan2(cross(arriving, leaving),
+                                               arriving * leaving)));
       }
     return largest;
   }
@@ -102,18 +101,15 @@ TEST(RezoningSurface, TurnsToWalls)
       points.emplace_back(0., 0.45);
       BoundaryLoop loop = loop_through(points);
       const double area = enclosed_area(loop);
-      EXPECT_EQ(
-        turn_surface_to_walls(loop, smallest_surface_angles, setting),
-        1);
-      EXPECT_EQ(
-        turn_surface_to_walls(loop, smallest_surface_angles, setting),
-        0);
+      EXPECT_EQ(turn_surface_to_walls(loop, smallest_surface_angles, setting),
+                1);
+      EXPECT_EQ(turn_surface_to_walls(loop, smallest_surface_angles, setting),
+                0);
       EXPECT_NEAR(enclosed_area(loop) / area, 1., 1e-14);
       double highest = 0.;
       for (unsigned int i = 0; i < loop.size(); ++i)
         {
-          EXPECT_EQ(loop[i].curve[1],
-                    loop[(i + 1) % loop.size()].curve[0]);
+          EXPECT_EQ(loop[i].curve[1], loop[(i + 1) % loop.size()].curve[0]);
           highest = std::max(highest, loop[i].curve[0][1]);
         }
       EXPECT_LT(highest, 0.55);

@@ -35,7 +35,8 @@ namespace Sandglass
     std::optional<double> friction_coefficient;
 
     bool has_flat_bottom = false;
-    /// Whether all its walls end at its foot, and it has no core.
+    /// Whether all its walls end at its foot, no step is below it, and it has
+    /// no core.
     bool is_plain = false;
 
     /// Tangent of the angle between hopper and vertical; NaN unless the hopper

@@ -52,6 +52,12 @@ namespace Sandglass
                          "allowed is 0 unless the formulation is plane strain");
       if (scene.formulation == Formulation::three_dimensions)
         check_in_space();
+      if (scene.is_filled_in_layers && !static_stage.is_enabled)
+        throw InputError("Scene",
+                         "Filling",
+                         "in layers",
+                         "allowed is at once with Static stage/Enabled = "
+                         "false: layers settle at rest");
       element_test.check();
       output.check();
     }

@@ -6,6 +6,14 @@
 
 namespace Sandglass
 {
+  /// The room that there is for material, in m.
+  struct SiloExtent
+  {
+    double middle; ///< x
+    double width;  ///< from the middle to the wall
+    double top;    ///< y
+  };
+
   /**
    * The material's free surface: level, or a heap that falls from the silo's
    * middle to its walls. A heap has the volume that it would have if it were
@@ -16,8 +24,8 @@ namespace Sandglass
   class FillSurface
   {
   public:
-    /// Throws InputError where it isn't below the top of the mesh's material.
-    FillSurface(const Mesh<dim> &mesh, const SceneParameters &parameters);
+    /// Throws InputError where it isn't below the silo's top.
+    FillSurface(const SiloExtent &silo, const SceneParameters &parameters);
 
     /// Height y above a place, in m.
     double
@@ -37,7 +45,8 @@ namespace Sandglass
    * Empty the filled cells above the material's surface, and let the surface
    * be a part of the top. In the plane, the nodes of the surface are moved onto
    * it as far as the cells' shapes allow it, and those around it to where the
-   * cells have good shapes. Does nothing for a full silo with a level surface.
+   * cells have good shapes. Does nothing for a full silo with a level surface,
+   * and for the section that mesh_silo() has cut along its surface.
    *
    * Throws InputError where nothing is left.
    */

@@ -15,7 +15,7 @@ namespace Sandglass
    *
    * Throws InputError, which says where, unless each cell is of the type asked
    * for, lies in the space of the mesh, and belongs to one of the groups
-   * `material` and `fall_region`.
+   * `material`, `fall_region` and `space`.
    */
   template <int dim>
   Mesh<dim>
@@ -25,6 +25,12 @@ namespace Sandglass
   template <int dim>
   void
   leave_out_fall_region(Mesh<dim> &mesh);
+
+  /// The same for a mesh of take_cells(), whose cells of the group `space`
+  /// remain as well.
+  template <int dim>
+  void
+  leave_out_fall_region(Mesh<dim> &mesh, const GmshMesh &gmsh_mesh);
 
   /**
    * Order each cell's vertices counterclockwise, in three dimensions so that

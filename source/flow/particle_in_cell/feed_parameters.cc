@@ -32,9 +32,9 @@ namespace Sandglass
        {"level", FeedKind::level},
        {"rain", FeedKind::rain}},
       "What enters while material flows (Flow/Method = particle-in-cell only): "
-      "nothing; as much as keeps the material's surface where it is at the "
-      "start, moving as the material does there; or a stream that falls "
-      "through the top.");
+      "nothing; as much as has passed the outlets, where the material's "
+      "surface has sunk most since the start, moving as the material does "
+      "there; or a stream that falls through the top.");
     add_optional_number(*this,
                         "Opening left",
                         left,

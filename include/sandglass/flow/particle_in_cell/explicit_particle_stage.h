@@ -217,7 +217,8 @@ namespace Sandglass
     feed_particles()
     {
       fed.clear();
-      for (const Parcel &parcel : feed.due(cloud.blocks(), time))
+      for (const Parcel &parcel :
+           feed.due(cloud.blocks(), time, removed.discharged - this->mass_fed))
         {
           this->mass_fed += parcel.properties[Layout::mass];
           fed.push_back(cloud.insert(parcel));
@@ -308,7 +309,7 @@ namespace Sandglass
         outlets.masses(cloud.blocks(), scene.communicator);
       if (feed.is_on())
         totals.mass_fed =
-          Utilities::MPI::sum(this->mass_fed, scene.communicator);
+          Utilities::MPI::sum<double>(this->mass_fed, scene.communicator);
       return totals;
     }
 

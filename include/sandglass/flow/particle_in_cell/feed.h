@@ -1,16 +1,14 @@
 #ifndef sandglass_flow_particle_in_cell_feed_h
 #define sandglass_flow_particle_in_cell_feed_h
 
+#include <deal.II/base/mpi.h>
+
 #include <sandglass/base/exceptions.h>
 #include <sandglass/flow/clock.h>
-#include <sandglass/flow/particle_in_cell/feed_parameters.h>
-#include <sandglass/particles/particle_blocks.h>
-#include <sandglass/particles/seeding.h>
-#include <sandglass/scene/feed_cells.h>
+#include <sandglass/flow/particle_in_cell/feed_opening.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -24,11 +22,14 @@ namespace Sandglass
    * that have room for them, so their mass is that of the material that they
    * add.
    *
-   * With FeedKind::level the cells are those at the material's first surface,
-   * and get a particle as soon as one has left, with the velocity of those that
-   * are there. With FeedKind::rain the cells are those at the grid's top. Each
-   * of their places gets a particle in turn, when its mass is due; what finds
-   * no room then stays outside, so that a full silo takes no more.
+   * With FeedKind::level the cells are those at the material's first surface.
+   * As much enters as has passed the outlets, where there is most room, with
+   * the velocity of those that are there. (To fill cells, each or all together,
+   * whenever they have room lets in up to a third too much: there are now more
+   * particles, now fewer, and who enters near the cell's bottom leaves it
+   * early.) With FeedKind::rain the cells are those at the grid's
+   * top. Each of their places gets a particle in turn, when its mass is due;
+   * what finds no room then stays outside, so that a full silo takes no more.
    */
   template <typename Setting>
   class Feed
@@ -36,12 +37,11 @@ namespace Sandglass
   public:
     static constexpr int dim = Setting::dim;
 
-    using Kinematics    = typename Setting::Kinematics;
-    using Layout        = typename Setting::Layout;
-    using Configuration = InitialConfiguration<Kinematics, Setting::cell_type>;
-    using Blocks        = ParticleBlocks<Layout>;
-    using Block         = ParticleBlock<Layout>;
-    using Parcel        = Sandglass::Parcel<Layout>;
+    using Opening       = FeedOpening<Setting>;
+    using Configuration = typename Opening::Configuration;
+    using Blocks        = typename Opening::Blocks;
+    using Block         = typename Opening::Block;
+    using Parcel        = typename Opening::Parcel;
 
     /**
      * Throws InputError where there is no opening, or one too narrow for the
@@ -55,35 +55,25 @@ namespace Sandglass
          const double               density,
          const std::vector<double> &law_state,
          const FeedParameters      &parameters)
-      : initial_configuration(initial_configuration)
-      , density(density)
-      , law_state(law_state)
-      , parameters(parameters)
+      : parameters(parameters)
       , rate(parameters.rate / scene.symmetry_factor)
+      , communicator(scene.communicator)
+      , opening(scene, initial_configuration, density, law_state, parameters)
     {
-      if (!is_on())
-        return;
-      const auto opening = parameters.kind == FeedKind::level ?
-                             surface_cells(scene.mesh) :
-                             top_cells(scene.mesh);
-      for (const unsigned int cell : opening)
-        if (parameters.is_in_opening(middle_of_cell(scene.mesh, cell)[0]))
-          cells.push_back(cell);
-      if (cells.empty())
-        throw InputError("Feed",
-                         "Opening left",
-                         parameters.left ? std::to_string(*parameters.left) :
-                                           "",
-                         "no cell of the material's surface or the mesh's top "
-                         "lies in the opening; allowed are places between the "
-                         "silo's walls");
-      for (const unsigned int cell : cells)
-        is_own.push_back(scene.cell_owners[cell] ==
-                         Utilities::MPI::this_mpi_process(scene.communicator));
       if (parameters.kind == FeedKind::rain)
         {
           check_rate(scene);
           order_places();
+        }
+      else if (parameters.kind == FeedKind::level)
+        {
+          for (const unsigned int cell : opening.cells)
+            mean_volumes.push_back(opening.mean_volume(cell));
+          for (unsigned int cell = 0; cell < scene.mesh.cells.size(); ++cell)
+            if (scene.cell_owners[cell] ==
+                  Utilities::MPI::this_mpi_process(scene.communicator) &&
+                middle_of_cell(scene.mesh, cell)[1] < 0.)
+              cells_below_outlet.push_back(cell);
         }
     }
 
@@ -93,19 +83,24 @@ namespace Sandglass
       return parameters.kind != FeedKind::none;
     }
 
-    /// This rank's particles that enter in the step of this clock; valid until
-    /// the next call.
+    /**
+     * This rank's particles that enter in the step of this clock; valid until
+     * the next call. Collective.
+     *
+     * @param mass_left  what has left the grid and has not been fed, on this
+     *   rank, in kg.
+     */
     const std::vector<Parcel> &
-    due(const Blocks &blocks, const Clock &clock)
+    due(const Blocks &blocks, const Clock &clock, const double mass_left)
     {
-      entering.clear();
+      opening.entering.clear();
       if (parameters.kind == FeedKind::rain)
         let_it_rain(blocks, clock);
       else if (parameters.is_on_at(clock.time))
-        for (unsigned int i = 0; i < cells.size(); ++i)
-          if (is_own[i])
-            fill_up(blocks, cells[i]);
-      return entering;
+        keep_level(blocks,
+                   Utilities::MPI::sum(mass_left + falling_mass(blocks),
+                                       communicator));
+      return opening.entering;
     }
 
     /// See ParticleStage; none of rain, whose numbers follow from the time.
@@ -121,117 +116,79 @@ namespace Sandglass
     {
       n_fed.clear();
       for (const auto &[place, n] : numbers)
-        for (unsigned int i = 0; i < cells.size(); ++i)
-          if (is_own[i] &&
-              cells[i] == place / initial_configuration.points.size())
+        for (unsigned int i = 0; i < opening.cells.size(); ++i)
+          if (opening.is_own[i] &&
+              opening.cells[i] ==
+                place / opening.initial_configuration.points.size())
             n_fed[place] = n;
     }
 
   private:
+    /// What has passed the outlets but not left the grid, in kg.
     double
-    mass(const unsigned int cell, const unsigned int k) const
+    falling_mass(const Blocks &blocks) const
     {
-      return density * initial_configuration.volume(id(cell, k));
+      double sum = 0.;
+      for (const unsigned int cell : cells_below_outlet)
+        blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
+          sum += blocks[slot.block].values[Block::mass][slot.lane];
+        });
+      return sum;
     }
 
-    /// Of the initial particle there.
-    types::particle_index
-    id(const unsigned int cell, const unsigned int k) const
+    /// @param mass_due  of all ranks, in kg.
+    void
+    keep_level(const Blocks &blocks, double mass_due)
     {
-      return initial_configuration.points.size() * cell + k;
-    }
-
-    /// Volume of a cell that its particles leave, in m^3; those of `entering`
-    /// count.
-    double
-    free_volume(const Blocks &blocks, const unsigned int cell) const
-    {
-      double volume = 0.;
-      for (unsigned int k = 0; k < initial_configuration.points.size(); ++k)
-        volume += initial_configuration.volume(id(cell, k));
-      blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-        const auto &values = blocks[slot.block].values;
-        volume -=
-          values[Block::mass][slot.lane] / values[Block::density][slot.lane];
-      });
-      for (const Parcel &parcel : entering)
-        if (parcel.cell == cell)
-          volume -= parcel.properties[Layout::mass] /
-                    parcel.properties[Layout::density];
-      return volume;
-    }
-
-    /// The particles' mean velocity in m/s; zero where there are none.
-    Tensor<1, dim>
-    mean_velocity(const Blocks &blocks, const unsigned int cell) const
-    {
-      double         sum = 0.;
-      Tensor<1, dim> momentum;
-      blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-        const double mass = blocks[slot.block].values[Block::mass][slot.lane];
-        sum += mass;
-        momentum += mass * blocks[slot.block].point(Block::velocity, slot.lane);
-      });
-      return sum > 0. ? momentum / sum : momentum;
-    }
-
-    /// Which of a cell's initial places is farthest from its particles.
-    unsigned int
-    emptiest_place(const Blocks &blocks, const unsigned int cell) const
-    {
-      unsigned int emptiest = 0;
-      double       largest  = -1.;
-      for (unsigned int k = 0; k < initial_configuration.points.size(); ++k)
+      // Each rank comes to the same cells: rounding decides nothing.
+      constexpr double rounding = 1e-9;
+      const double     least =
+        *std::min_element(mean_volumes.begin(), mean_volumes.end());
+      if (mass_due < opening.density * least * (1. - rounding))
+        return;
+      std::vector<double> room = room_in_cells(blocks);
+      while (true)
         {
-          const Point<dim> place = initial_configuration.position(id(cell, k));
-          double           nearest = std::numeric_limits<double>::max();
-          blocks.for_each_in_cell(cell, [&](const ParticleSlot &slot) {
-            nearest =
-              std::min(nearest,
-                       place.distance_square(
-                         blocks[slot.block].point(Block::location, slot.lane)));
-          });
-          for (const Parcel &parcel : entering)
-            if (parcel.cell == cell)
-              nearest =
-                std::min(nearest, place.distance_square(parcel.location));
-          if (nearest > largest)
-            {
-              emptiest = k;
-              largest  = nearest;
-            }
+          const double largest = *std::max_element(room.begin(), room.end());
+          const unsigned int i =
+            std::find_if(room.begin(),
+                         room.end(),
+                         [&](const double volume) {
+                           return volume >= largest - rounding * least;
+                         }) -
+            room.begin();
+          const double needed = mean_volumes[i] * (1. - rounding);
+          if (mass_due < opening.density * needed || room[i] < needed)
+            return;
+          mass_due -= opening.density * mean_volumes[i];
+          room[i] -= mean_volumes[i];
+          if (opening.is_own[i])
+            fill_up(blocks, opening.cells[i]);
         }
-      return emptiest;
     }
 
+    /// In each cell of the opening, in m^3, known on all ranks.
+    std::vector<double>
+    room_in_cells(const Blocks &blocks) const
+    {
+      std::vector<double> room(opening.cells.size(), 0.);
+      for (unsigned int i = 0; i < opening.cells.size(); ++i)
+        if (opening.is_own[i])
+          room[i] = opening.free_volume(blocks, opening.cells[i]);
+      // The other ranks add zero.
+      Utilities::MPI::sum(room, communicator, room);
+      return room;
+    }
+
+    /// Let a particle in at a cell's emptiest place.
     void
     fill_up(const Blocks &blocks, const unsigned int cell)
     {
-      const unsigned int n = initial_configuration.points.size();
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          // Most often there is no room for the smallest one.
-          const unsigned int k = emptiest_place_if_room(blocks, cell);
-          if (k == n)
-            return;
-          add(cell, k, n_fed[id(cell, k)]++, mean_velocity(blocks, cell));
-        }
-    }
-
-    /// As many as there are places if none has room.
-    unsigned int
-    emptiest_place_if_room(const Blocks &blocks, const unsigned int cell) const
-    {
-      const unsigned int n        = initial_configuration.points.size();
-      const double       room     = free_volume(blocks, cell);
-      double             smallest = std::numeric_limits<double>::max();
-      for (unsigned int k = 0; k < n; ++k)
-        smallest =
-          std::min(smallest, initial_configuration.volume(id(cell, k)));
-      if (room < smallest)
-        return n;
-      const unsigned int k = emptiest_place(blocks, cell);
-      return room < initial_configuration.volume(id(cell, k)) ? n : k;
+      const unsigned int k = opening.emptiest_place(blocks, cell);
+      opening.add(cell,
+                  k,
+                  n_fed[opening.id(cell, k)]++,
+                  opening.mean_velocity(blocks, cell));
     }
 
     void
@@ -243,10 +200,10 @@ namespace Sandglass
       for (unsigned long i = n_due(clock.time); i < last; ++i)
         {
           const Place &place = places[i % places.size()];
-          if (place.is_own &&
-              free_volume(blocks, place.cell) >=
-                initial_configuration.volume(id(place.cell, place.k)))
-            add(place.cell, place.k, i / places.size(), velocity);
+          if (place.is_own && opening.free_volume(blocks, place.cell) >=
+                                opening.initial_configuration.volume(
+                                  opening.id(place.cell, place.k)))
+            opening.add(place.cell, place.k, i / places.size(), velocity);
         }
     }
 
@@ -272,34 +229,13 @@ namespace Sandglass
              (next - places.begin());
     }
 
-    /// @param n_before  how many have been fed at this place.
-    void
-    add(const unsigned int    cell,
-        const unsigned int    k,
-        const unsigned long   n_before,
-        const Tensor<1, dim> &velocity)
-    {
-      Parcel parcel{};
-      parcel.cell            = cell;
-      parcel.id              = initial_configuration.fed_id(cell, k, n_before);
-      parcel.reference_point = initial_configuration.points[k];
-      parcel.location        = initial_configuration.position(parcel.id);
-      parcel.properties[Layout::mass]    = mass(cell, k);
-      parcel.properties[Layout::density] = density;
-      for (unsigned int d = 0; d < dim; ++d)
-        parcel.properties[Layout::velocity + d] = velocity[d];
-      std::copy_n(law_state.begin(),
-                  Layout::n_law_numbers,
-                  parcel.properties.begin() + Layout::law_state);
-      entering.push_back(parcel);
-    }
-
     /// Refuse a rate that the opening doesn't let through at this speed.
     void
     check_rate(const Scene<dim> &scene) const
     {
-      const double largest = density * parameters.speed *
-                             opening_area(scene.mesh, cells, scene.formulation);
+      const double largest =
+        opening.density * parameters.speed *
+        opening_area(scene.mesh, opening.cells, scene.formulation);
       if (rate <= largest)
         return;
       std::ostringstream value, allowed;
@@ -314,14 +250,14 @@ namespace Sandglass
     order_places()
     {
       constexpr double   golden = 0.6180339887498949;
-      const unsigned int n      = initial_configuration.points.size();
+      const unsigned int n      = opening.initial_configuration.points.size();
       std::vector<std::pair<double, Place>> ordered;
-      for (unsigned int i = 0; i < cells.size(); ++i)
+      for (unsigned int i = 0; i < opening.cells.size(); ++i)
         for (unsigned int k = 0; k < n; ++k)
           {
             const double turn = golden * ordered.size();
-            ordered.push_back(
-              {turn - std::floor(turn), {cells[i], k, is_own[i], 0.}});
+            ordered.push_back({turn - std::floor(turn),
+                               {opening.cells[i], k, opening.is_own[i], 0.}});
           }
       std::stable_sort(ordered.begin(),
                        ordered.end(),
@@ -331,7 +267,7 @@ namespace Sandglass
       double mass_up_to = 0.;
       for (auto &[turn, place] : ordered)
         {
-          mass_up_to += mass(place.cell, place.k);
+          mass_up_to += opening.mass(place.cell, place.k);
           place.mass_up_to = mass_up_to;
           places.push_back(place);
         }
@@ -345,22 +281,20 @@ namespace Sandglass
       double       mass_up_to; ///< in a round, this place's included, in kg
     };
 
-    const Configuration      &initial_configuration;
-    const double              density;
-    const std::vector<double> law_state;
-    const FeedParameters     &parameters;
-    const double              rate; ///< of the grid, in kg/s
+    const FeedParameters &parameters;
+    const double          rate; ///< of the grid, in kg/s
+    const MPI_Comm        communicator;
+    Opening               opening;
 
-    std::vector<unsigned int> cells;  ///< of the opening, on all ranks
-    std::vector<bool>         is_own; ///< which of them this rank has
-    std::vector<Place>        places; ///< of rain, on all ranks
+    std::vector<Place> places; ///< of rain, on all ranks
+    /// Of particles in the opening's cells, in m^3, where a level is kept.
+    std::vector<double> mean_volumes;
+    /// Of this rank.
+    std::vector<unsigned int> cells_below_outlet;
 
     /// By the id of the initial particle at a place, how many have been fed
     /// there on this rank.
     std::map<unsigned int, unsigned int> n_fed;
-
-    /// Kept between calls to avoid allocation.
-    std::vector<Parcel> entering;
   };
 } // namespace Sandglass
 

@@ -1,8 +1,10 @@
 #ifndef sandglass_flow_particle_in_cell_particle_stage_h
 #define sandglass_flow_particle_in_cell_particle_stage_h
 
+#include <sandglass/base/compensated_sum.h>
 #include <sandglass/flow/dynamic_flow.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
+#include <sandglass/flow/particle_in_cell/feed_parameters.h>
 #include <sandglass/flow/particle_in_cell/nodal_fields.h>
 #include <sandglass/flow/particle_in_cell/outlet_masses.h>
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
@@ -240,7 +242,7 @@ namespace Sandglass
     OutletMasses<dim> outlets;
 
     /// What has been fed since the start on this rank, in kg.
-    double mass_fed = 0.;
+    CompensatedSum mass_fed;
 
     /// Whether settle() makes the steps, in which nothing is fed.
     bool is_settling = false;

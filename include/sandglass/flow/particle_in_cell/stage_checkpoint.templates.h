@@ -14,7 +14,7 @@ namespace Sandglass
   struct StageSums
   {
     double plastic_dissipation, friction_dissipation, wall_work; ///< in J
-    double mass_discharged, mass_lost, mass_fed;                 ///< in kg
+    CompensatedSum      mass_discharged, mass_lost, mass_fed;    ///< in kg
     std::vector<double> mass_by_outlet; ///< removed below each outlet
 
     template <class Archive>

@@ -3,6 +3,7 @@
 #include <sandglass/flow/updated_lagrangian/rezoning/divide_loop.h>
 #include <sandglass/flow/updated_lagrangian/rezoning/element_quality.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace Sandglass
@@ -56,6 +57,29 @@ namespace Sandglass
           message << "A new element has turned over at (" << place << ") m.";
           throw Crossing(message.str(), place);
         }
+  }
+
+
+
+  void
+  check_area(const RezoningJumps &jumps, const double element_size)
+  {
+    // Corners of a free surface are rounded, at most by some of an element.
+    constexpr double largest_share = 0.01, most_elements = 2.;
+
+    const double before     = jumps.before.area;
+    const double change     = jumps.after.area - before;
+    const double of_element = std::sqrt(3.) / 4. * element_size * element_size;
+    if (std::abs(change) <= largest_share * before ||
+        std::abs(change) <= most_elements * of_element)
+      return;
+    std::ostringstream message;
+    message.precision(3);
+    message << "Re-zoning changes the material's area by "
+            << 100. * change / before
+            << " %, more than the 1 % allowed. Try a smaller Element size, or "
+               "a shorter Time step.";
+    throw RunError(message.str());
   }
 
 

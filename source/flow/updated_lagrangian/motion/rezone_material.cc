@@ -77,7 +77,8 @@ namespace Sandglass
       for (double &mass : body_masses)
         mass *= 1. + cut.mass_spoilt / kept;
 
-      Rezoned rezoned    = rezone(rest, options);
+      Rezoned rezoned = rezone(rest, options);
+      check_area(rezoned.jumps, setting.element_size);
       result.state.at    = std::move(rezoned.state);
       TriangleMesh &mesh = result.state.at.mesh;
       snap_to_walls(mesh, setting);

@@ -29,6 +29,13 @@ namespace Sandglass
   void
   check_cells(TriangleMesh &mesh);
 
+  /// Throws RunError where a re-zoning has changed the material's area by more
+  /// than a hundredth and by more than two elements: then its boundary was
+  /// drawn wrongly.
+  /// @param element_size  edge of the new elements in m.
+  void
+  check_area(const RezoningJumps &jumps, const double element_size);
+
   /// Mark the cells at the boundary that have a node nearer to a place than
   /// this distance in m as spoilt.
   void
