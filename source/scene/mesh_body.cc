@@ -5,6 +5,7 @@
 #include <sandglass/scene/gmsh_options.h>
 #include <sandglass/scene/make_mesh.h>
 #include <sandglass/scene/mesh_cells.h>
+#include <sandglass/scene/mesh_faces.h>
 #include <sandglass/scene/name_body_faces.h>
 
 #include <gmsh.h>
@@ -34,6 +35,22 @@ namespace Sandglass
                            "Element size");
         }
     }
+
+    /// Those of cells that have been left out.
+    void
+    leave_out_faces_without_cell(Mesh<3> &mesh)
+    {
+      const CellsAtFaces<3> cells_at = cells_at_faces(mesh);
+      const unsigned int    n        = mesh.vertices_per_face();
+      mesh.faces.erase(std::remove_if(mesh.faces.begin(),
+                                      mesh.faces.end(),
+                                      [&](const Mesh<3>::Face &face) {
+                                        return cells_at.count(
+                                                 key_of<3>(face.vertices, n)) ==
+                                               0;
+                                      }),
+                       mesh.faces.end());
+    }
   } // namespace
 
 
@@ -49,7 +66,10 @@ namespace Sandglass
     orient_cells(mesh);
     name_body_faces(mesh, body);
     if (!parameters.outlet_is_open)
-      leave_out_fall_region(mesh);
+      {
+        leave_out_fall_region(mesh);
+        leave_out_faces_without_cell(mesh);
+      }
     return mesh;
   }
 } // namespace Sandglass

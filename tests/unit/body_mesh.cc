@@ -307,6 +307,8 @@ TEST_P(BothCells, StayInsideWhereTheOutletIsClosed)
   EXPECT_NEAR(area(mesh, BoundaryRole::outlet), 0.09 / 4., 1e-12);
   EXPECT_EQ(area(mesh, BoundaryRole::fall_side), 0.);
   EXPECT_NEAR(area(mesh, BoundaryRole::axis), 0.9, 1e-12);
+  add_headroom(mesh, 0.2);
+  EXPECT_NEAR(volume(mesh), 1.1 / 4., 1e-12);
 }
 
 

@@ -179,11 +179,10 @@ namespace Sandglass
           vector_at<dim>(mapped_velocity, field_indices[n]) - end_velocities[n];
         for (unsigned int s = 0; s < nodes[n].supports.size(); ++s)
           {
-            const Support<dim> &support = nodes[n].supports[s];
             if (rubs_alone(n, s) && !is_corner(n))
               friction.stretch(memories[n][s],
-                               support.tangential(difference),
-                               support.area,
+                               along_support(nodes[n], s, difference),
+                               nodes[n].supports[s].area,
                                time_step);
           }
       }

@@ -62,7 +62,7 @@ namespace Sandglass
             const int s = find_support(nodes[n], entry->second);
             if (s >= 0)
               memories[n][s].force +=
-                nodes[n].supports[s].tangential(entry->second.force);
+                along_support(nodes[n], s, entry->second.force);
           }
       }
   }

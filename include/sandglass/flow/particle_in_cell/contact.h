@@ -160,6 +160,7 @@ namespace Sandglass
     load(boost::archive::binary_iarchive &archive);
 
   private:
+    using HeldNodes<dim>::along_support;
     using HeldNodes<dim>::field_indices;
     using HeldNodes<dim>::held_velocity;
     using HeldNodes<dim>::holding;

@@ -76,6 +76,21 @@ namespace Sandglass
       return HeldDirections<dim>(node.supports, holding).left_of(velocity);
     }
 
+    /// What is left of a vector along a support. Beside a symmetry plane in
+    /// space that is along the plane, too: friction that left it would push
+    /// the node off the plane.
+    static Tensor<1, dim>
+    along_support(const BoundaryNode<dim> &node,
+                  const unsigned int       support,
+                  const Tensor<1, dim>    &vector)
+    {
+      const SupportSet axis = dim == 3 ? axis_of(node) : 0;
+      return axis == 0 ?
+               node.supports[support].tangential(vector) :
+               HeldDirections<dim>(node.supports, axis | 1u << support)
+                 .left_of(vector);
+    }
+
     const std::vector<BoundaryNode<dim>> nodes;
 
     /// Of each node, where it stands in the nodal fields.
