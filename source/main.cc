@@ -41,13 +41,20 @@ namespace
                 command_line.is_quiet ? Log::Screen::nothing :
                                         Log::Screen::everything);
         if (command_line.task == CommandLine::Task::element_test)
-          run_element_test(parameters, file.warnings(), communicator, log);
+          run_element_test(parameters,
+                           file.warnings(dealii::ParameterAcceptor::prm),
+                           communicator,
+                           log);
         else if (study != nullptr)
           study->perform(parameters, command_line, file, communicator);
         else
           {
             parameters.scene.fix_resolution();
-            run(parameters, command_line, file.warnings(), communicator, log);
+            run(parameters,
+                command_line,
+                file.warnings(dealii::ParameterAcceptor::prm),
+                communicator,
+                log);
           }
       }
     catch (const InputError &error)

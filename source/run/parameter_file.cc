@@ -2,6 +2,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <sandglass/run/parameter_file.h>
+#include <sandglass/run/settings_without_effect.h>
 
 #include <algorithm>
 #include <regex>
@@ -224,9 +225,9 @@ namespace Sandglass
 
 
   std::vector<std::string>
-  ParameterFile::warnings() const
+  ParameterFile::warnings(const ParameterHandler &prm) const
   {
-    std::vector<std::string> result;
+    std::vector<std::string> result = settings_without_effect(prm);
     if (!sets_something)
       result.push_back(filename + " sets no parameter: all that the command "
                                   "line doesn't set have their defaults.");

@@ -122,7 +122,8 @@ namespace Sandglass
       log.stream() << run_in_words() << ": cells "
                    << to_text(parameters.scene.resolution()) << "; in "
                    << directory << '/' << subdirectory(which) << std::endl;
-      return judge(run_in(which, file.warnings()), refinement);
+      return judge(run_in(which, file.warnings(dealii::ParameterAcceptor::prm)),
+                   refinement);
     }
 
 

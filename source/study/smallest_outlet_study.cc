@@ -219,7 +219,8 @@ namespace Sandglass
       log.stream() << run_in_words() << " m; in " << directory << '/'
                    << subdirectory(which) << std::endl;
       const std::vector<std::string> warnings =
-        results.trials.empty() ? file.warnings() : std::vector<std::string>();
+        results.trials.empty() ? file.warnings(ParameterAcceptor::prm) :
+                                 std::vector<std::string>();
       const OutletTrial trial = judge(run_in(which, warnings), half_width);
       results.trials.push_back(trial);
       log.stream() << "  " << (trial.flows ? "flows" : "stands") << ", "

@@ -233,8 +233,8 @@ TEST_F(ParameterFiles, LinesWithoutMeaningAreRefused)
 TEST_F(ParameterFiles, AFileThatSetsNothingSaysSo)
 {
   read("# nothing\nsubsection Scene\nend\n");
-  ASSERT_EQ(file->warnings().size(), 1u);
-  EXPECT_TRUE(contains(file->warnings()[0], "scene.prm sets no parameter"));
+  ASSERT_EQ(file->warnings(prm).size(), 1u);
+  EXPECT_TRUE(contains(file->warnings(prm)[0], "scene.prm sets no parameter"));
   read("subsection Scene\n  set Half width = 3\nend\n");
-  EXPECT_TRUE(file->warnings().empty());
+  EXPECT_TRUE(file->warnings(prm).empty());
 }

@@ -32,9 +32,11 @@ namespace Sandglass
     void
     parse(dealii::ParameterHandler &prm) const;
 
-    /// What deserves the user's attention: that the file sets nothing.
+    /// What deserves the user's attention: that the file sets nothing, or sets
+    /// what has no effect.
+    /// @param prm  into which it has been parsed.
     std::vector<std::string>
-    warnings() const;
+    warnings(const dealii::ParameterHandler &prm) const;
 
     /// Whether the command line sets a parameter.
     bool
