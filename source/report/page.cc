@@ -4,6 +4,7 @@
 #include <sandglass/report/particle_frames.h>
 #include <sandglass/report/residence_map.h>
 #include <sandglass/report/text_files.h>
+#include <sandglass/report/wall_cut.h>
 
 #include <algorithm>
 #include <array>
@@ -97,6 +98,11 @@ namespace Sandglass
           data += data_element("mesh.json",
                                pack(mesh_edges(
                                  *read_fields(run.meshes.front().file))));
+        // The last: an outlet that was closed at the start is no wall of it.
+        if (space == Space::body && !run.walls.empty())
+          data +=
+            data_element("walls.json",
+                         pack(wall_cut(*read_fields(run.walls.back().file))));
         return data;
       }
 

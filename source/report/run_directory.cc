@@ -95,6 +95,7 @@ namespace Sandglass
 
       particles = read_pvd(path / "particles.pvd");
       meshes    = read_pvd(path / "grid.pvd");
+      walls     = read_pvd(path / "walls.pvd");
     }
   } // namespace Report
 } // namespace Sandglass

@@ -46,6 +46,9 @@ struct FlowingBox : SolidFixture
       return p[1] > -1e-6 ? Role::floor : Role::fall_side;
     };
 
+    // As many as Particles per cell = auto takes.
+    particles_per_cell =
+      Setting::cell_type == Sandglass::CellType::hexahedron ? 27 : 8;
     parameters.end_time = 1e3;
     if (method == Method::paper)
       {

@@ -50,6 +50,13 @@ grep -q '"edges"' <(unpack mesh.json run/report.html) || fail "no mesh"
 grep -q '"share": \[' <(unpack residence.json run/report.html) || fail "no map of residence"
 ls run | grep -q 'report.html.new' && fail "the draft is left"
 
+# --- Walls in three dimensions: where the cut of the particles meets them -----
+"$sandglass" "$root/prm/three-dimensions/round-flat-bottom.prm" -s "Scene/Refinement=0.5" \
+  -s "Particle stage/End time=0.01" -o body --quiet
+"$sandglass_report" body >/dev/null
+farthest=$(unpack walls.json body/report.html | grep -oE '\[[-0-9.e]+,' | tr -d '[,' | sort -g | tail -n 1)
+[ "$farthest" = 0.5 ] || fail "the wall is drawn at x = $farthest"
+
 # --- One file ----------------------------------------------------------------
 if grep -oE '(src|href|action)="[^"]*"|@import[^;]*|url\([^)]*\)' run/report.html | grep -v '^href="data:,"$'; then
   fail "it loads something"

@@ -23,7 +23,7 @@ namespace Sandglass
 
       std::filesystem::path              path;
       std::map<std::string, std::string> texts; // by the file's name
-      std::vector<FieldFile>             particles, meshes;
+      std::vector<FieldFile>             particles, meshes, walls;
     };
   } // namespace Report
 } // namespace Sandglass

@@ -72,11 +72,11 @@ function parseParameters(text) {
 async function loadRun() {
   if (typeof DecompressionStream === "undefined")
     throw new Error("This browser is too old to unpack the report (it has no DecompressionStream).");
-  const [summary, parameters, log, history, flowRate, walls, wallEnvelope, flowProfile, residence, gauges, residenceMap, mesh, movie] = await Promise.all([
+  const [summary, parameters, log, history, flowRate, walls, wallEnvelope, flowProfile, residence, gauges, residenceMap, mesh, wallCut, movie] = await Promise.all([
     unpackedText("summary.json"), unpackedText("parameters.prm"), unpackedText("sandglass.log"),
     table("history.csv"), table("flow_rate.csv"), table("wall_traction.csv"),
     table("wall_envelope.csv"), table("flow_profile.csv"), table("residence.csv"), table("gauges.csv"), unpackedText("residence.json"),
-    unpackedText("mesh.json"), loadMovie()]);
+    unpackedText("mesh.json"), unpackedText("walls.json"), loadMovie()]);
   const sections = parseParameters(parameters || "");
   const parameter = (section, name) => ((sections[section] || {})[name] || { value: "" }).value;
   return {
@@ -84,6 +84,8 @@ async function loadRun() {
     sections, parameter, log: log || "", history, flowRate, walls, wallEnvelope, flowProfile, residence, gauges,
     residenceMap: residenceMap ? JSON.parse(residenceMap) : null,
     mesh: mesh ? JSON.parse(mesh) : null, movie,
+    // Of a body, where the plane of the cut meets its walls.
+    wallCut: wallCut ? JSON.parse(wallCut) : null,
     // Quantities are per metre of depth in a plane silo.
     isPlane: parameter("Scene", "Formulation") === "plane strain",
     isBody: parameter("Scene", "Formulation") === "three dimensions",

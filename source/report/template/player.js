@@ -11,8 +11,11 @@ function boundsOf(run) {
       for (const [codes, list, o] of [[movie.x[f], xs, 0], [movie.y[f], ys, 1]])
         list.push(...d3.extent(codes).map(code => movie.origin[o] + code * movie.step));
   }
-  for (const line of run.walls.lines)
-    for (const row of line.frames[0]) { xs.push(row.x_m); ys.push(row.y_m); }
+  if (run.isBody)
+    for (const [x, y] of (run.wallCut || []).flat()) { xs.push(x); ys.push(y); }
+  else
+    for (const line of run.walls.lines)
+      for (const row of line.frames[0]) { xs.push(row.x_m); ys.push(row.y_m); }
   const [x0, x1] = d3.extent(xs), [y0, y1] = d3.extent(ys);
   // A section that begins at the axis stands for both of its sides.
   const mirrored = x0 > -1e-6 * (x1 - x0) && x0 < 0.02 * (x1 - x0);
@@ -21,14 +24,10 @@ function boundsOf(run) {
 
 // Walls as polylines of places, both sides where the section is a half.
 function wallPaths(run, mirrored) {
-  const paths = [];
-  for (const line of run.walls.lines) {
-    if (line.isOutlet && line.frames.length < 2) continue; // It has opened.
-    const points = line.frames[0].map(row => [row.x_m, row.y_m]);
-    paths.push(points);
-    if (mirrored) paths.push(points.map(([x, y]) => [-x, y]));
-  }
-  return paths;
+  // An outlet with a row at rest only has opened.
+  const paths = run.isBody ? run.wallCut || [] :
+    run.walls.lines.filter(line => !line.isOutlet || line.frames.length > 1).map(line => line.frames[0].map(row => [row.x_m, row.y_m]));
+  return mirrored ? paths.flatMap(points => [points, points.map(([x, y]) => [-x, y])]) : paths;
 }
 
 // The largest pressure as drawn, over the section's width.

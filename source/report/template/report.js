@@ -183,15 +183,16 @@ function flowSection(run, bounds, onTime) {
   if (wish("colour") in scene.colourOf)
     scene.set({ field: wish("colour") });
   describe();
-  for (const [id, what] of [["show-mesh", "mesh"], ["show-tractions", "tractions"]]) {
+  if (!run.mesh) byId("show-mesh").parentNode.remove();
+  // A body's are means over bands, which no cut shows.
+  if (run.walls.lines.length === 0 || run.isBody) byId("show-tractions").parentNode.remove();
+  for (const [id, what] of [["show-mesh", "mesh"], ["show-tractions", "tractions"]].filter(([id]) => byId(id))) {
     byId(id).onchange = event => scene.set({ [what]: event.target.checked });
     if (wish(what) !== null) {
       byId(id).checked = true;
       scene.set({ [what]: true });
     }
   }
-  if (!run.mesh) byId("show-mesh").parentNode.remove();
-  if (run.walls.lines.length === 0) byId("show-tractions").parentNode.remove();
   const controls = player(run, scene, onTime);
   return { scene, controls };
 }
