@@ -123,9 +123,10 @@ namespace Sandglass
   {
     // Of a line, or of a circle
     const double mean_distance =
+      silo.mean_distance > 0. ? silo.mean_distance :
       dim == 3 || parameters.formulation == Formulation::axisymmetric ?
-        2. / 3. * silo.width :
-        silo.width / 2.;
+                                2. / 3. * silo.width :
+                                silo.width / 2.;
     apex = parameters.fill_height.value_or(silo.top) + slope * mean_distance;
 
     constexpr double rounding = 1e-9;
@@ -173,9 +174,7 @@ namespace Sandglass
   {
     const bool is_full =
       !parameters.fill_height && parameters.surface_slope == 0.;
-    const bool is_cut =
-      dim == 2 && parameters.shape == SceneParameters::Shape::silo;
-    if (is_full || is_cut)
+    if (is_full || parameters.shape == SceneParameters::Shape::silo)
       return;
     const FillSurface<dim> surface(extent_of_material(mesh), parameters);
     bool                   has_material = false;

@@ -150,7 +150,9 @@ namespace Sandglass
                            mesh_silo<dim>(parameters) :
                            read_mesh<dim>(parameters, found);
           check_gravity(parameters, result.first);
-          add_headroom(result.first, parameters.headroom_height());
+          add_headroom(result.first,
+                       parameters.headroom_height() +
+                         space_above<dim>(parameters));
           fill_to_surface(result.first, parameters);
           if (parameters.is_filled_in_layers)
             fit_layers(result.first, parameters.n_layers);

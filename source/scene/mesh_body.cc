@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/scene/body_hexahedra.h>
+#include <sandglass/scene/body_surface.h>
 #include <sandglass/scene/body_tetrahedra.h>
 #include <sandglass/scene/gmsh_mesh.h>
 #include <sandglass/scene/gmsh_options.h>
@@ -56,10 +57,22 @@ namespace Sandglass
 
 
   template <>
+  double
+  space_above<3>(const SceneParameters &parameters)
+  {
+    return parameters.shape == SceneParameters::Shape::silo ?
+             parameters.silo_height() -
+               parameters.fill_height.value_or(parameters.silo_height()) :
+             0.;
+  }
+
+
+
+  template <>
   Mesh<3>
   mesh_silo<3>(const SceneParameters &parameters)
   {
-    const SiloBody body(parameters);
+    const SiloBody body = filled_part(SiloBody(parameters), parameters);
     Mesh<3>        mesh = parameters.cell_type == CellType::tetrahedron ?
                             mesh_by_gmsh(parameters, body) :
                             mesh_body_by_hexahedra(body, parameters.resolution());
@@ -70,6 +83,7 @@ namespace Sandglass
         leave_out_fall_region(mesh);
         leave_out_faces_without_cell(mesh);
       }
+    move_to_surface(mesh, body, parameters);
     return mesh;
   }
 } // namespace Sandglass

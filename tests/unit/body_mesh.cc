@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -309,6 +310,45 @@ TEST_P(BothCells, StayInsideWhereTheOutletIsClosed)
   EXPECT_NEAR(area(mesh, BoundaryRole::axis), 0.9, 1e-12);
   add_headroom(mesh, 0.2);
   EXPECT_NEAR(volume(mesh), 1.1 / 4., 1e-12);
+}
+
+
+
+// Material ends at its surface, a level or a heap of the same volume, with
+// empty cells above it up to the silo's top.
+TEST_P(BothCells, EndAtTheMaterialsSurface)
+{
+  set(silo, GetParam(), box);
+  silo.fill_height         = 0.6;
+  const double fall_region = 0.3 * 0.09 / 4.;
+  EXPECT_NEAR(volume(mesh_silo<3>(silo)), 0.6 / 4. + fall_region, 1e-12);
+  silo.surface_slope   = 20.;
+  silo.gravity         = {0., -9.81, 0.};
+  const Mesh<3> heap   = make_mesh<3>(silo, MPI_COMM_SELF);
+  const double  filled = volume(heap) - 0.3 / 4. - fall_region;
+  EXPECT_NEAR(filled, 0.6 / 4., 0.005 * 0.6 / 4.);
+  double lowest = 1., highest = 0.;
+  for (const auto &face : heap.faces)
+    if (face.role == BoundaryRole::top)
+      for (unsigned int v = 0; v < heap.vertices_per_face(); ++v)
+        {
+          lowest  = std::min(lowest, heap.vertices[face.vertices[v]][1]);
+          highest = std::max(highest, heap.vertices[face.vertices[v]][1]);
+        }
+  // Slope times the distance of the corner from the middle, less the mean one
+  const double slope = std::tan(20. * dealii::numbers::PI / 180.);
+  EXPECT_NEAR(lowest, 0.6 - slope * (std::sqrt(0.5) - 0.3826), 1e-3);
+  EXPECT_GT(highest, 0.9);
+}
+
+
+
+TEST_P(BothCells, RefuseASurfaceInTheHopper)
+{
+  set(silo, GetParam(), box);
+  silo.hopper_height = 0.4;
+  silo.fill_height   = 0.2;
+  EXPECT_THROW(mesh_silo<3>(silo), InputError);
 }
 
 

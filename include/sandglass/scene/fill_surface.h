@@ -12,6 +12,8 @@ namespace Sandglass
     double middle; ///< x
     double width;  ///< from the middle to the wall
     double top;    ///< y
+    /// Of all places from the middle; 0: as of a line or a circle.
+    double mean_distance = 0.;
   };
 
   /**
@@ -46,7 +48,7 @@ namespace Sandglass
    * be a part of the top. In the plane, the nodes of the surface are moved onto
    * it as far as the cells' shapes allow it, and those around it to where the
    * cells have good shapes. Does nothing for a full silo with a level surface,
-   * and for the section that mesh_silo() has cut along its surface.
+   * and for the silo that mesh_silo() has meshed along its surface.
    *
    * Throws InputError where nothing is left.
    */

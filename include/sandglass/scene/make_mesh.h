@@ -29,6 +29,19 @@ namespace Sandglass
   Mesh<3>
   mesh_silo<3>(const SceneParameters &parameters);
 
+  /// How far the silo goes on above what mesh_silo() meshes, in m: in three
+  /// dimensions that ends at the material's surface.
+  template <int dim>
+  double
+  space_above(const SceneParameters &)
+  {
+    return 0.;
+  }
+
+  template <>
+  double
+  space_above<3>(const SceneParameters &parameters);
+
   /**
    * Read the mesh file of the parameters. Lines must belong to physical groups
    * named as in boundary_role_names, or to further walls that Walls/Friction
