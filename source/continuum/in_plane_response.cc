@@ -1,4 +1,5 @@
 #include <sandglass/continuum/in_plane_response.h>
+#include <sandglass/continuum/midpoint_stress_derivative.h>
 
 namespace Sandglass
 {
@@ -27,38 +28,6 @@ namespace Sandglass
       derivative.col(G::hoop) = material.by_strain.col(S::zz);
       derivative.col(G::xy)   = sheared - turned;
       derivative.col(G::yx)   = sheared + turned;
-      return derivative;
-    }
-
-
-
-    /// The same where strain and rotation are taken in the middle of the step:
-    /// their derivatives by central differences, which cost less than the law
-    /// and are exact to ten digits.
-    Matrix4x5
-    midpoint_stress_derivative(const SymmetricComponents<4> &stress_before,
-                               const Gradient5              &H,
-                               const MaterialTangent<4>     &material)
-    {
-      constexpr double step = 1e-5;
-      Matrix4x5        derivative;
-      for (int c = 0; c < 5; ++c)
-        {
-          Gradient5 more = H, less = H;
-          more[c] += step;
-          less[c] -= step;
-          const auto after =
-            InPlaneResponse::increment(more, StressIntegration::middle_of_step);
-          const auto before =
-            InPlaneResponse::increment(less, StressIntegration::middle_of_step);
-          const SymmetricComponents<4> strain = after.strain - before.strain;
-          const SymmetricComponents<4> turned =
-            rotate(stress_before, after.rotation) -
-            rotate(stress_before, before.rotation);
-          derivative.col(c) =
-            (material.by_strain * strain + material.by_stress * turned) /
-            (2. * step);
-        }
       return derivative;
     }
 
@@ -121,7 +90,7 @@ namespace Sandglass
     const Matrix4x5 derivative =
       integration == StressIntegration::start_of_step ?
         stress_derivative(stress_before, material) :
-        midpoint_stress_derivative(stress_before, H, material);
+        midpoint_stress_derivative<InPlaneResponse>(stress_before, H, material);
     return geometric_tangent(stress, H) + stress_sensitivity(H) * derivative;
   }
 } // namespace Sandglass

@@ -1,3 +1,4 @@
+#include <sandglass/continuum/midpoint_stress_derivative.h>
 #include <sandglass/continuum/solid_response.h>
 
 #include <Eigen/Geometry>
@@ -69,38 +70,6 @@ namespace Sandglass
               derivative.col(3 * i + j) +=
                 material.by_stress * jaumann_rotation(stress_before, spin);
           }
-      return derivative;
-    }
-
-
-
-    /// The same where strain and rotation are taken in the middle of the step:
-    /// their derivatives by central differences, which cost less than the law
-    /// and are exact to ten digits.
-    Matrix6x9
-    midpoint_stress_derivative(const SymmetricComponents<6> &stress_before,
-                               const Gradient9              &H,
-                               const MaterialTangent<6>     &material)
-    {
-      constexpr double step = 1e-5;
-      Matrix6x9        derivative;
-      for (int c = 0; c < 9; ++c)
-        {
-          Gradient9 more = H, less = H;
-          more[c] += step;
-          less[c] -= step;
-          const auto after =
-            SolidResponse::increment(more, StressIntegration::middle_of_step);
-          const auto before =
-            SolidResponse::increment(less, StressIntegration::middle_of_step);
-          const SymmetricComponents<6> strain = after.strain - before.strain;
-          const SymmetricComponents<6> turned =
-            rotate(stress_before, after.rotation) -
-            rotate(stress_before, before.rotation);
-          derivative.col(c) =
-            (material.by_strain * strain + material.by_stress * turned) /
-            (2. * step);
-        }
       return derivative;
     }
 
@@ -201,7 +170,7 @@ namespace Sandglass
     const Matrix6x9 derivative =
       integration == StressIntegration::start_of_step ?
         stress_derivative(stress_before, material) :
-        midpoint_stress_derivative(stress_before, H, material);
+        midpoint_stress_derivative<SolidResponse>(stress_before, H, material);
     return geometric_tangent(stress, H) + stress_sensitivity(H) * derivative;
   }
 } // namespace Sandglass

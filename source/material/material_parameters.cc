@@ -1,4 +1,5 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/number_text.h>
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/material/material_parameters.h>
 
@@ -45,16 +46,6 @@ namespace Sandglass
 
 
 
-    std::string
-    number_to_text(const double number)
-    {
-      std::ostringstream text;
-      text << number;
-      return text.str();
-    }
-
-
-
     /// Throws InputError unless the law has these constants within their
     /// bounds.
     template <typename Law>
@@ -83,8 +74,8 @@ namespace Sandglass
                              "Law constants",
                              to_text(one),
                              "allowed is a number from " +
-                               number_to_text(found->smallest) + " to " +
-                               number_to_text(found->largest) + " (" +
+                               number_text(found->smallest) + " to " +
+                               number_text(found->largest) + " (" +
                                found->unit + ")");
         }
     }
@@ -257,7 +248,7 @@ namespace Sandglass
       if (cohesion > 0. && !Law::has_cohesion)
         throw InputError("Material",
                          "Cohesion",
-                         number_to_text(cohesion),
+                         number_text(cohesion),
                          "the law '" + model + "' has none; allowed is 0");
       // The law's own complaints come before anything is written.
       Law(static_cast<const MaterialConstants &>(*this));

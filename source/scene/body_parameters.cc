@@ -1,26 +1,16 @@
 // What SceneParameters says of silos in three dimensions.
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/number_text.h>
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/scene/scene_parameters.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace Sandglass
 {
   namespace
   {
-    std::string
-    to_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-
-
-
     [[noreturn]] void
     refuse(const std::string &name,
            const std::string &value,
@@ -52,27 +42,27 @@ namespace Sandglass
                                              std::hypot(x + width, z + depth);
           if (farthest > scene.half_width * allowance)
             refuse("Outlet half width",
-                   to_text(width),
+                   number_text(width),
                    "the outlet must lie between the walls, but its farthest "
                    "point is " +
-                     to_text(farthest) +
+                     number_text(farthest) +
                      " m from the silo's middle; allowed is at most the Half "
                      "width of " +
-                     to_text(scene.half_width) + " m");
+                     number_text(scene.half_width) + " m");
           return;
         }
       if (x + width > scene.half_width * allowance)
         refuse("Outlet eccentricity",
-               to_text(scene.outlet_eccentricity),
+               number_text(scene.outlet_eccentricity),
                "the outlet must lie between the walls: allowed is at most " +
-                 to_text(scene.half_width - width) +
+                 number_text(scene.half_width - width) +
                  " m to either side, the Half width less the Outlet half "
                  "width");
       if (z + depth > scene.whole_half_depth() * allowance)
         refuse("Outlet eccentricity along z",
-               to_text(scene.outlet_eccentricity_along_z),
+               number_text(scene.outlet_eccentricity_along_z),
                "the outlet must lie between the walls: allowed is at most " +
-                 to_text(scene.whole_half_depth() - depth) +
+                 number_text(scene.whole_half_depth() - depth) +
                  " m to either side, the Half depth less the outlet's half "
                  "depth");
     }
@@ -100,7 +90,7 @@ namespace Sandglass
                    "rectangle");
       refuse_unset(scene.half_depth.has_value(),
                    "Half depth",
-                   to_text(scene.half_depth.value_or(0.)),
+                   number_text(scene.half_depth.value_or(0.)),
                    "auto");
       refuse_unset(scene.outlet_shape != Parameters::OutletShape::slot,
                    "Outlet shape",
@@ -110,11 +100,11 @@ namespace Sandglass
                    "slot");
       refuse_unset(scene.outlet_half_depth.has_value(),
                    "Outlet half depth",
-                   to_text(scene.outlet_half_depth.value_or(0.)),
+                   number_text(scene.outlet_half_depth.value_or(0.)),
                    "auto");
       refuse_unset(scene.outlet_eccentricity_along_z != 0.,
                    "Outlet eccentricity along z",
-                   to_text(scene.outlet_eccentricity_along_z),
+                   number_text(scene.outlet_eccentricity_along_z),
                    "0");
       refuse_unset(scene.chosen_symmetry_planes !=
                      Parameters::SymmetryPlanes::automatic,
@@ -131,11 +121,11 @@ namespace Sandglass
       const auto planes = scene.symmetry_planes();
       if (planes[0] && scene.outlet_eccentricity != 0.)
         refuse("Outlet eccentricity",
-               to_text(scene.outlet_eccentricity),
+               number_text(scene.outlet_eccentricity),
                "allowed is 0 where Symmetry planes has x");
       if (planes[1] && scene.outlet_eccentricity_along_z != 0.)
         refuse("Outlet eccentricity along z",
-               to_text(scene.outlet_eccentricity_along_z),
+               number_text(scene.outlet_eccentricity_along_z),
                "allowed is 0 where Symmetry planes has z");
     }
   } // namespace
@@ -257,8 +247,8 @@ namespace Sandglass
       }
     if (!is_body && gravity.size() != 2)
       refuse("Gravity",
-             to_text(gravity[0]) + ", " + to_text(gravity[1]) + ", " +
-               to_text(gravity[2]),
+             number_text(gravity[0]) + ", " + number_text(gravity[1]) + ", " +
+               number_text(gravity[2]),
              "allowed are two numbers, x and y, unless Formulation = three "
              "dimensions");
     if (!is_body)
@@ -274,7 +264,7 @@ namespace Sandglass
     const bool is_round = cross_section == CrossSection::circle;
     if (is_round && half_depth)
       refuse("Half depth",
-             to_text(*half_depth),
+             number_text(*half_depth),
              "allowed is auto with Cross section = circle, whose radius is the "
              "Half width");
     if (is_round && outlet_shape == OutletShape::slot)
@@ -284,11 +274,11 @@ namespace Sandglass
              "slot goes from one plane wall to the other");
     if (outlet_shape != OutletShape::rectangle && outlet_half_depth)
       refuse("Outlet half depth",
-             to_text(*outlet_half_depth),
+             number_text(*outlet_half_depth),
              "allowed is auto unless Outlet shape = rectangle");
     if (outlet_shape == OutletShape::slot && outlet_eccentricity_along_z != 0.)
       refuse("Outlet eccentricity along z",
-             to_text(outlet_eccentricity_along_z),
+             number_text(outlet_eccentricity_along_z),
              "allowed is 0 with Outlet shape = slot, which goes from wall to "
              "wall along z");
     check_symmetry_planes(*this);

@@ -1,10 +1,9 @@
-#include <sandglass/base/exceptions.h>
+#include <sandglass/base/number_text.h>
 #include <sandglass/scene/body_surface.h>
 #include <sandglass/scene/fill_surface.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Sandglass
 {
@@ -48,14 +47,6 @@ namespace Sandglass
                mean_distance(body.wall)},
               parameters};
     }
-
-
-
-    bool
-    is_full(const SceneParameters &parameters)
-    {
-      return !parameters.fill_height && parameters.surface_slope == 0.;
-    }
   } // namespace
 
 
@@ -75,15 +66,12 @@ namespace Sandglass
       surface.height(Point<3>(farthest_distance(body.wall), 0., 0.));
     const double above_hopper = part.silo_height - body.hopper_height;
     if (at_wall <= body.hopper_height + lowest_share * above_hopper)
-      {
-        std::ostringstream value, allowed;
-        value << part.silo_height;
-        allowed << "the surface meets the wall at " << at_wall
-                << " m; allowed in three dimensions is one that does so well "
-                   "above the hopper or floor, which ends at "
-                << body.hopper_height << " m";
-        throw InputError("Scene", "Fill height", value.str(), allowed.str());
-      }
+      refuse_fill_height(
+        parameters,
+        "the surface meets the wall at " + number_text(at_wall) +
+          " m; allowed in three dimensions is one that does so well above "
+          "the hopper or floor, which ends at " +
+          number_text(body.hopper_height) + " m");
     return part;
   }
 

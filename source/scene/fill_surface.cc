@@ -1,6 +1,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/number_text.h>
 #include <sandglass/choices.h>
 #include <sandglass/scene/feed_cells.h>
 #include <sandglass/scene/fill_surface.h>
@@ -97,21 +98,29 @@ namespace Sandglass
         }
       return has_cut;
     }
-
-
-
-    [[noreturn]] void
-    refuse_height(const std::optional<double> &height,
-                  const std::string           &allowed)
-    {
-      std::ostringstream value;
-      if (height)
-        value << *height;
-      else
-        value << "full";
-      throw InputError("Scene", "Fill height", value.str(), allowed);
-    }
   } // namespace
+
+
+
+  bool
+  is_full(const SceneParameters &parameters)
+  {
+    return !parameters.fill_height && parameters.surface_slope == 0.;
+  }
+
+
+
+  void
+  refuse_fill_height(const SceneParameters &parameters,
+                     const std::string     &allowed)
+  {
+    throw InputError("Scene",
+                     "Fill height",
+                     parameters.fill_height ?
+                       number_text(*parameters.fill_height) :
+                       "full",
+                     allowed);
+  }
 
 
 
@@ -139,7 +148,7 @@ namespace Sandglass
         if (slope > 0.)
           allowed << " with this Surface slope, whose apex is "
                   << slope * mean_distance << " m above the Fill height";
-        refuse_height(parameters.fill_height, allowed.str());
+        refuse_fill_height(parameters, allowed.str());
       }
   }
 
@@ -172,9 +181,7 @@ namespace Sandglass
   void
   fill_to_surface(Mesh<dim> &mesh, const SceneParameters &parameters)
   {
-    const bool is_full =
-      !parameters.fill_height && parameters.surface_slope == 0.;
-    if (is_full || parameters.shape == SceneParameters::Shape::silo)
+    if (is_full(parameters) || parameters.shape == SceneParameters::Shape::silo)
       return;
     const FillSurface<dim> surface(extent_of_material(mesh), parameters);
     bool                   has_material = false;
@@ -188,9 +195,10 @@ namespace Sandglass
         has_material     = has_material || is_filled;
       }
     if (!has_material)
-      refuse_height(parameters.fill_height,
-                    "no cell lies below the surface: allowed is a level in the "
-                    "silo, above its outlet");
+      refuse_fill_height(
+        parameters,
+        "no cell lies below the surface: allowed is a level in the "
+        "silo, above its outlet");
 
     // A triangle between surface nodes alone could only be made flat.
     constexpr unsigned int  most_rounds = 10;

@@ -1,12 +1,11 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/scene/mesh_box.h>
 #include <sandglass/scene/mesh_cells.h>
 #include <sandglass/scene/place_mesh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <sstream>
 
 namespace Sandglass
 {
@@ -14,74 +13,11 @@ namespace Sandglass
 
   namespace
   {
-    /// The box around some vertices.
-    struct Box
-    {
-      static constexpr double infinity =
-        std::numeric_limits<double>::infinity();
-
-      Point<2> lower{infinity, infinity}, upper{-infinity, -infinity};
-
-      void
-      add(const Point<2> &point)
-      {
-        for (unsigned int d = 0; d < 2; ++d)
-          {
-            lower[d] = std::min(lower[d], point[d]);
-            upper[d] = std::max(upper[d], point[d]);
-          }
-      }
-
-      bool
-      is_empty() const
-      {
-        return lower[0] > upper[0];
-      }
-    };
-
-
-
-    Box
-    box_of(const Mesh<2> &mesh, const BoundaryRole role)
-    {
-      Box box;
-      for (const auto &edge : mesh.faces)
-        if (edge.role == role)
-          for (const unsigned int vertex : edge.vertices)
-            box.add(mesh.vertices[vertex]);
-      return box;
-    }
-
-
-
-    Box
-    box_of_cells(const Mesh<2> &mesh, const bool only_filled)
-    {
-      Box box;
-      for (const auto &cell : mesh.cells)
-        if (cell.is_filled || !only_filled)
-          for (unsigned int v = 0; v < mesh.vertices_per_cell(); ++v)
-            box.add(mesh.vertices[cell.vertices[v]]);
-      return box;
-    }
-
-
-
-    /// Coordinates that are closer than this are the same, in m.
-    double
-    rounding(const Mesh<2> &mesh)
-    {
-      const Box box = box_of_cells(mesh, false);
-      return 1e-8 * box.lower.distance(box.upper);
-    }
-
-
-
     /// x of the axis, if there is one.
     std::optional<double>
     find_axis(const Mesh<2> &mesh)
     {
-      const Box axis = box_of(mesh, BoundaryRole::axis);
+      const MeshBox<2> axis = box_of_role(mesh, BoundaryRole::axis);
       if (axis.is_empty())
         return {};
       if (axis.upper[0] - axis.lower[0] > rounding(mesh))
@@ -90,8 +26,8 @@ namespace Sandglass
                          place(axis.lower) + " to " + place(axis.upper) +
                          "; allowed is one line x = constant (a second plane "
                          "of symmetry is a wall without friction)");
-      const Box    cells = box_of_cells(mesh, false);
-      const double x     = (axis.lower[0] + axis.upper[0]) / 2.;
+      const MeshBox<2> cells = box_of_cells(mesh, false);
+      const double     x     = (axis.lower[0] + axis.upper[0]) / 2.;
       if (cells.lower[0] < x - rounding(mesh) &&
           cells.upper[0] > x + rounding(mesh))
         throw InputError("the mesh has cells on both sides of the physical "
@@ -100,35 +36,6 @@ namespace Sandglass
                          " m; allowed is a half section that ends there, or "
                          "a whole one without axis");
       return x;
-    }
-
-
-
-    /// y of the outlet's lowest point.
-    double
-    find_outlet_level(const Mesh<2> &mesh, std::vector<std::string> &warnings)
-    {
-      const Box    outlet   = box_of(mesh, BoundaryRole::outlet);
-      const Box    material = box_of_cells(mesh, true);
-      const double level =
-        outlet.is_empty() ? material.lower[1] : outlet.lower[1];
-      if (material.lower[1] >= level - rounding(mesh))
-        return level;
-
-      std::ostringstream message;
-      message << "material lies below the outlet: it reaches down to y = "
-              << material.lower[1] << " m, the outlet to y = " << level << " m";
-      // Who fills the fall region, too, means it.
-      if (std::any_of(mesh.cells.begin(),
-                      mesh.cells.end(),
-                      [](const auto &cell) { return !cell.is_filled; }))
-        throw InputError(message.str() +
-                         "; allowed is an outlet at the material's lowest "
-                         "level");
-      warnings.push_back("What is below the outlet counts as discharged from "
-                         "the start: " +
-                         message.str() + '.');
-      return level;
     }
 
 
@@ -202,7 +109,7 @@ namespace Sandglass
 
     if (formulation != Formulation::axisymmetric)
       return;
-    const Box cells = box_of_cells(mesh, false);
+    const MeshBox<2> cells = box_of_cells(mesh, false);
     if (cells.upper[0] < distance)
       mirror(mesh, warnings);
     else if (cells.lower[0] < -distance)

@@ -1,26 +1,16 @@
 // What SceneParameters refuses.
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/number_text.h>
 #include <sandglass/scene/scene_parameters.h>
 
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 namespace Sandglass
 {
   namespace
   {
-    std::string
-    to_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-
-
-
     /// Lengths that differ by less of the half width are the same.
     constexpr double rounding = 1e-9;
 
@@ -45,17 +35,17 @@ namespace Sandglass
       if (!size)
         throw InputError("Scene",
                          "Refinement",
-                         to_text(scene.refinement),
+                         number_text(scene.refinement),
                          "the cells' size, which is chosen from the silo, "
                          "becomes too large: " +
                            allowed);
       throw InputError("Scene",
                        blames_lip ? "Outlet element size" : "Element size",
-                       to_text(*size),
+                       number_text(*size),
                        allowed + (scene.refinement == 1. ?
                                     "" :
                                     ", after division by Refinement = " +
-                                      to_text(scene.refinement)));
+                                      number_text(scene.refinement)));
     }
 
 
@@ -71,16 +61,16 @@ namespace Sandglass
            scene.outlet_half_width > half_width * (1. - rounding)))
         throw InputError("Scene",
                          "Outlet half width",
-                         to_text(scene.outlet_half_width),
+                         number_text(scene.outlet_half_width),
                          std::string("allowed is ") +
                            (has_hopper ? "with a hopper less than" :
                                          "at most") +
-                           " the silo's Half width of " + to_text(half_width) +
-                           " m");
+                           " the silo's Half width of " +
+                           number_text(half_width) + " m");
       if (!has_hopper && scene.wall_height == 0.)
         throw InputError("Scene",
                          "Wall height",
-                         to_text(scene.wall_height),
+                         number_text(scene.wall_height),
                          "allowed is a number greater than 0, since there is "
                          "no hopper either (Hopper height = 0)");
     }
@@ -134,7 +124,7 @@ namespace Sandglass
       refuse_size(*this,
                   sizes.is_graded(),
                   "allowed is at most the Outlet half width of " +
-                    to_text(outlet_half_width) +
+                    number_text(outlet_half_width) +
                     " m, which must hold an element");
     const bool   has_wall = wall_height > 0.;
     const double height   = has_wall ? wall_height : hopper_height;
@@ -143,12 +133,12 @@ namespace Sandglass
                   false,
                   std::string("allowed is at most the ") +
                     (has_wall ? "Wall height of " : "Hopper height of ") +
-                    to_text(height) + " m");
+                    number_text(height) + " m");
     if (sizes.outlet_element_size > sizes.element_size)
       refuse_size(*this,
                   true,
                   "allowed is at most the Element size of " +
-                    to_text(sizes.element_size) + " m");
+                    number_text(sizes.element_size) + " m");
     if (sizes.is_graded() && cell_type == CellType::quadrilateral)
       refuse_size(*this,
                   true,
@@ -170,7 +160,7 @@ namespace Sandglass
     if (is_symmetric && outlet_eccentricity != 0.)
       throw InputError("Scene",
                        "Outlet eccentricity",
-                       to_text(outlet_eccentricity),
+                       number_text(outlet_eccentricity),
                        "allowed is 0, since Symmetry = true; an eccentric "
                        "outlet needs Symmetry = false");
     if (outlet_half_width <= half_width * (1. + rounding) &&
@@ -178,10 +168,10 @@ namespace Sandglass
           half_width * (1. + rounding))
       throw InputError("Scene",
                        "Outlet eccentricity",
-                       to_text(outlet_eccentricity),
+                       number_text(outlet_eccentricity),
                        "the outlet must lie between the walls: allowed is at "
                        "most " +
-                         to_text(half_width - outlet_half_width) +
+                         number_text(half_width - outlet_half_width) +
                          " m to either side, the Half width less the Outlet "
                          "half width");
   }

@@ -1,5 +1,6 @@
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/scene/automatic_mesh.h>
+#include <sandglass/scene/fill_surface.h>
 #include <sandglass/scene/scene_parameters.h>
 
 namespace Sandglass
@@ -267,9 +268,8 @@ namespace Sandglass
   SceneParameters::headroom_height() const
   {
     const bool is_automatic = shape == Shape::silo && !element_size;
-    const bool has_room     = fill_height.has_value() || surface_slope > 0.;
     return headroom.value_or(
-      is_automatic && !has_room ? automatic_headroom(*this) : 0.);
+      is_automatic && is_full(*this) ? automatic_headroom(*this) : 0.);
   }
 
 

@@ -1,9 +1,9 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/number_text.h>
 #include <sandglass/scene/section_surface.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace Sandglass
@@ -12,29 +12,6 @@ namespace Sandglass
 
   namespace
   {
-    [[noreturn]] void
-    refuse_height(const SceneParameters &silo, const std::string &allowed)
-    {
-      std::ostringstream value;
-      if (silo.fill_height)
-        value << *silo.fill_height;
-      else
-        value << "full";
-      throw InputError("Scene", "Fill height", value.str(), allowed);
-    }
-
-
-
-    std::string
-    to_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-
-
-
     /**
      * Where a surface ends on one side of the silo's middle.
      *
@@ -58,13 +35,13 @@ namespace Sandglass
           lip;
       const double above = surface.height(start) - start[1];
       if (foot[1] == 0. || above <= 0.)
-        refuse_height(
+        refuse_fill_height(
           silo,
           std::string("the material must cover the ") +
             (foot[1] == 0. ? "floor" : "outlet") +
             " from end to end: allowed are with this Surface slope more than " +
-            to_text(*silo.fill_height -
-                    (foot[1] == 0. ? at_wall : surface.height(start))) +
+            number_text(*silo.fill_height -
+                        (foot[1] == 0. ? at_wall : surface.height(start))) +
             " m");
       const double share = above / (above + foot[1] - at_wall);
       return start + share * (foot - start);
@@ -80,10 +57,11 @@ namespace Sandglass
     const FillSurface<2> line({0., silo.half_width, top}, silo);
     const double         size = silo.resolution().element_size;
     if (silo.fill_height && *silo.fill_height < size)
-      refuse_height(silo,
-                    "no cell lies below the surface: allowed is at least the "
-                    "Element size of " +
-                      to_text(size) + " m");
+      refuse_fill_height(
+        silo,
+        "no cell lies below the surface: allowed is at least the "
+        "Element size of " +
+          number_text(size) + " m");
 
     const double apex = line.height(Point<2>());
     const double gap  = top - apex;
@@ -99,11 +77,12 @@ namespace Sandglass
               Point<2>(silo.is_symmetric ? 0. : left_wall[0], apex),
               Point<2>(right_wall[0], apex)};
     if (silo.surface_slope > 0. && gap < size / 2.)
-      refuse_height(silo,
-                    "the heap's apex must lie below the silo's top at " +
-                      to_text(top) +
-                      " m by half an Element size: allowed are at most " +
-                      to_text(*silo.fill_height + gap - size / 2.) + " m");
+      refuse_fill_height(silo,
+                         "the heap's apex must lie below the silo's top at " +
+                           number_text(top) +
+                           " m by half an Element size: allowed are at most " +
+                           number_text(*silo.fill_height + gap - size / 2.) +
+                           " m");
 
     const double   middle = silo.outlet_eccentricity;
     const Point<2> left_lip(middle - silo.outlet_half_width, 0.);

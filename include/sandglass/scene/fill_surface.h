@@ -4,8 +4,19 @@
 #include <sandglass/scene/mesh.h>
 #include <sandglass/scene/scene_parameters.h>
 
+#include <string>
+
 namespace Sandglass
 {
+  /// Whether material reaches to the silo's top, and is level there.
+  bool
+  is_full(const SceneParameters &parameters);
+
+  /// Throws InputError for the Fill height, with what is allowed.
+  [[noreturn]] void
+  refuse_fill_height(const SceneParameters &parameters,
+                     const std::string     &allowed);
+
   /// The room that there is for material, in m.
   struct SiloExtent
   {

@@ -1,24 +1,11 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/base/number_text.h>
 #include <sandglass/base/parameter_entries.h>
 #include <sandglass/flow/particle_in_cell/feed_parameters.h>
 
-#include <sstream>
 
 namespace Sandglass
 {
-  namespace
-  {
-    std::string
-    to_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-  } // namespace
-
-
-
   FeedParameters::FeedParameters()
     : ParameterAcceptor("Feed")
   {
@@ -90,14 +77,14 @@ namespace Sandglass
     if (left && right && *left >= *right)
       throw InputError("Feed",
                        "Opening right",
-                       to_text(*right),
+                       number_text(*right),
                        "allowed is more than the Opening left of " +
-                         to_text(*left) + " m");
+                         number_text(*left) + " m");
     if (end && *end <= start)
       throw InputError("Feed",
                        "End time",
-                       to_text(*end),
+                       number_text(*end),
                        "allowed is more than the Start time of " +
-                         to_text(start) + " s");
+                         number_text(start) + " s");
   }
 } // namespace Sandglass
