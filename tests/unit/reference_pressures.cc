@@ -1,5 +1,5 @@
 #include <sandglass/flow/in_space.h>
-#include <sandglass/output/section_reference_pressures.h>
+#include <sandglass/output/reference_pressures.h>
 #include <sandglass/scene/make_walls.h>
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ namespace
     }
 
   private:
-    ReferencePressures
+    ReferencePressures<2>
     pressures()
     {
       return {output, scene(), material};

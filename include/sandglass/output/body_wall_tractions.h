@@ -1,8 +1,8 @@
 #ifndef sandglass_output_body_wall_tractions_h
 #define sandglass_output_body_wall_tractions_h
 
-#include <sandglass/output/body_reference_pressures.h>
 #include <sandglass/output/body_wall_parts.h>
+#include <sandglass/output/reference_pressures.h>
 #include <sandglass/output/section_wall_tractions.h>
 
 #include <string>
@@ -112,12 +112,12 @@ namespace Sandglass
     VtuPiece
     make_picture(const std::vector<WallTraction> &tractions) const;
 
-    const Scene<3>              &scene;
-    const bool                   is_writer;
-    const BodyReferencePressures references;
-    const BodyWallParts          parts;
-    CsvTable<WallBand>           table;
-    FieldSeries                  series;
+    const Scene<3>             &scene;
+    const bool                  is_writer;
+    const ReferencePressures<3> references;
+    const BodyWallParts         parts;
+    CsvTable<WallBand>          table;
+    FieldSeries                 series;
 
     /// When since_last() was called.
     WallImpulses last;

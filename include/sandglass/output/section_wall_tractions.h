@@ -8,7 +8,7 @@
 #include <sandglass/output/field_series.h>
 #include <sandglass/output/normal_range.h>
 #include <sandglass/output/output_parameters.h>
-#include <sandglass/output/section_reference_pressures.h>
+#include <sandglass/output/reference_pressures.h>
 #include <sandglass/output/section_wall_lines.h>
 #include <sandglass/output/silo_measures.h>
 
@@ -183,12 +183,12 @@ namespace Sandglass
                   const PlacedRecord &placed,
                   const Tensor<1, 3> &force) const;
 
-    const Scene<2>          &scene;
-    const bool               is_writer;
-    const ReferencePressures references;
-    const WallLines          lines;
-    CsvTable<WallTraction>   table;
-    FieldSeries              series;
+    const Scene<2>             &scene;
+    const bool                  is_writer;
+    const ReferencePressures<2> references;
+    const WallLines             lines;
+    CsvTable<WallTraction>      table;
+    FieldSeries                 series;
 
     /// When since_last() was called.
     WallImpulses last;

@@ -1,6 +1,7 @@
 #include <deal.II/base/numbers.h>
 
-#include <sandglass/output/section_reference_pressures.h>
+#include <sandglass/choices.h>
+#include <sandglass/output/reference_pressures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +26,12 @@ namespace Sandglass
 
 
 
+    template <int dim, typename Part>
     Janssen
     make_janssen(const OutputParameters   &parameters,
-                 const Scene<2>           &scene,
+                 const Scene<dim>         &scene,
                  const MaterialParameters &material,
-                 const VerticalPart       &part)
+                 const Part               &part)
     {
       return {material.density * scene.gravity.norm(),
               part.hydraulic_radius,
@@ -43,14 +45,15 @@ namespace Sandglass
 
 
 
+    template <typename Part>
     EurocodePressures::Silo
-    make_silo(const OutputParameters   &parameters,
-              const Scene<2>           &scene,
+    make_silo(const Formulation         formulation,
+              const double              width,
               const MaterialParameters &material,
-              const VerticalPart       &part)
+              const Part               &part)
     {
-      EurocodePressures::Silo silo{scene.formulation,
-                                   part.is_plain ? part.width : 0.,
+      EurocodePressures::Silo silo{formulation,
+                                   width,
                                    part.top - part.foot,
                                    part.outlet_eccentricity,
                                    part.hopper_slope,
@@ -58,16 +61,49 @@ namespace Sandglass
       if (part.hopper_friction_coefficient)
         silo.hopper_friction_coefficient =
           borne_friction(*part.hopper_friction_coefficient, material);
-      silo.patch_load_factor = parameters.patch_load_factor;
       return silo;
+    }
+
+
+
+    EurocodePressures::Silo
+    make_silo(const OutputParameters   &parameters,
+              const Scene<2>           &scene,
+              const MaterialParameters &material,
+              const VerticalPart       &part)
+    {
+      EurocodePressures::Silo silo = make_silo(scene.formulation,
+                                               part.is_plain ? part.width : 0.,
+                                               material,
+                                               part);
+      silo.patch_load_factor       = parameters.patch_load_factor;
+      return silo;
+    }
+
+
+
+    /// The standard's hoppers are wedges, or cones and square pyramids.
+    EurocodePressures::Silo
+    make_silo(const OutputParameters &,
+              const Scene<3> &,
+              const MaterialParameters &material,
+              const BodyVerticalPart   &part)
+    {
+      return make_silo(part.hopper_is_wedge ? Formulation::plane_strain :
+                                              Formulation::axisymmetric,
+                       part.width,
+                       material,
+                       part);
     }
   } // namespace
 
 
 
-  ReferencePressures::ReferencePressures(const OutputParameters   &parameters,
-                                         const Scene<2>           &scene,
-                                         const MaterialParameters &material)
+  template <int dim>
+  ReferencePressures<dim>::ReferencePressures(
+    const OutputParameters   &parameters,
+    const Scene<dim>         &scene,
+    const MaterialParameters &material)
     : part(scene)
     , janssen(make_janssen(parameters, scene, material, part))
     , standard(make_silo(parameters, scene, material, part), janssen)
@@ -75,8 +111,9 @@ namespace Sandglass
 
 
 
+  template <int dim>
   double
-  ReferencePressures::janssen_normal(const WallRecord &record) const
+  ReferencePressures<dim>::janssen_normal(const WallRecord &record) const
   {
     if (!part.friction_coefficient)
       return nothing;
@@ -88,9 +125,10 @@ namespace Sandglass
 
 
 
+  template <int dim>
   WallPressure
-  ReferencePressures::eurocode(const EurocodePressures::Load load,
-                               const WallRecord             &record) const
+  ReferencePressures<dim>::eurocode(const EurocodePressures::Load load,
+                                    const WallRecord             &record) const
   {
     if (!part.friction_coefficient)
       return {};
@@ -102,12 +140,20 @@ namespace Sandglass
 
 
 
+  template <int dim>
   double
-  ReferencePressures::eurocode_patch(const EurocodePressures::Load load,
-                                     const WallRecord             &record) const
+  ReferencePressures<dim>::eurocode_patch(const EurocodePressures::Load load,
+                                          const WallRecord &record) const
   {
-    return part.friction_coefficient && part.has_wall(record) ?
+    // In three dimensions the height alone does not tell where they act.
+    return dim == 2 && part.friction_coefficient && part.has_wall(record) ?
              standard.patch(load, part.top - record.position[1]) :
              nothing;
   }
+
+
+
+#define INSTANTIATE(dim) template class ReferencePressures<dim>;
+
+  SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass
