@@ -46,16 +46,22 @@ def wall_force(directory, time, wall="wall"):
                            if row["wall"] == wall], "normal_Pa")
 
 
-def mean_wall_force(directory, start, end, wall="wall"):
-    """wall_force(), mean over a stretch of time. Each output is a mean over the
-    time since the one before."""
+def mean_over_outputs(directory, start, end, value_at):
+    """Mean of value_at(time) over a stretch of time. Each output is a mean over
+    the time since the one before."""
     times = sorted(set(run_output.read_table(directory,
                                              "wall_traction.csv")["time_s"]))
     stretches = {end_of_output: min(end, end_of_output) - max(start, before)
                  for before, end_of_output in zip(times, times[1:])}
     weights = {time: weight for time, weight in stretches.items() if weight > 0}
-    return (sum(weight * wall_force(directory, time, wall)
-                for time, weight in weights.items()) / sum(weights.values()))
+    return (sum(weight * value_at(time) for time, weight in weights.items()) /
+            sum(weights.values()))
+
+
+def mean_wall_force(directory, start, end, wall="wall"):
+    """wall_force(), mean over a stretch of time."""
+    return mean_over_outputs(directory, start, end,
+                             lambda time: wall_force(directory, time, wall))
 
 
 def tractions(name, times):

@@ -10,7 +10,7 @@ from plots import STYLE, plt, save
 from runs import make_all
 from study_runs import WITHOUT_FIELDS, study_run
 from tables import markdown, number
-from traction_tables import integral_along, rows_at
+from traction_tables import integral_along, mean_over_outputs, rows_at
 
 NAME = "any-silo"
 NUMBER = 30
@@ -19,6 +19,7 @@ SCENE = "../quickstart"
 REFINEMENTS = (1, 2)
 GRAVITY, DENSITY = 9.81, 1500.  # m/s^2, kg/m^3
 WINDOW = (3., 5.)  # in sqrt(D/g)
+OUTPUTS_IN_WINDOW = 8
 GOAL = 0.05  # of the rate and of the walls' normal force
 
 
@@ -43,6 +44,20 @@ class Silo(NamedTuple):
     @property
     def height(self):
         return self.wall_height + self.hopper_height
+
+    @property
+    def period(self):
+        """Of the pressure waves between floor and surface, in s."""
+        ratio = self.poisson_ratio
+        confined_modulus = (self.stiffness * DENSITY * GRAVITY * self.height *
+                            (1 - ratio) / ((1 + ratio) * (1 - 2 * ratio)))
+        return 4 * self.height * math.sqrt(DENSITY / confined_modulus)
+
+    @property
+    def end_time(self):
+        """In s: the window, and for the walls' force at least one period."""
+        return max(WINDOW[1] * self.time,
+                   WINDOW[0] * self.time + self.period)
 
     @property
     def rate_unit(self):
@@ -76,7 +91,7 @@ def silos():
 
 def silo_run(index, silo, refinement):
     young_modulus = silo.stiffness * DENSITY * GRAVITY * silo.height
-    end_time = WINDOW[1] * silo.time
+    start_time = WINDOW[0] * silo.time
     settings = (("Scene/Formulation", silo.formulation),
                 ("Scene/Half width", silo.half_width),
                 ("Scene/Outlet half width", silo.outlet_half_width),
@@ -90,9 +105,10 @@ def silo_run(index, silo, refinement):
                 ("Material/Young modulus", young_modulus),
                 ("Material/Poisson ratio", silo.poisson_ratio),
                 ("Walls/Friction angle", silo.wall_friction),
-                ("Particle stage/End time", end_time),
-                ("Output/Interval", end_time - WINDOW[0] * silo.time),
-                ("Output/History interval", end_time / 100))
+                ("Particle stage/End time", silo.end_time),
+                ("Output/Interval",
+                 (silo.end_time - start_time) / OUTPUTS_IN_WINDOW),
+                ("Output/History interval", WINDOW[1] * silo.time / 100))
     return study_run(NAME, f"silo-{index + 1}-refinement-{refinement}", SCENE,
                      settings, WITHOUT_FIELDS)
 
@@ -110,17 +126,20 @@ def flow_rate(directory, silo):
 
 
 def wall_force(directory, silo):
-    """The walls' mean normal force up to the end of the run, in N or N/m: their
-    rows are means since the last output."""
-    rows = [row for row in rows_at(directory, WINDOW[1] * silo.time)
-            if not math.isnan(row["normal_Pa"])]
-    for row in rows:
-        row["normal_N_per_m"] = row["normal_Pa"] * (
-            2 * math.pi * row["x_m"] if silo.formulation == "axisymmetric"
-            else 1.)
-    return sum(integral_along([row for row in rows if row["wall"] == wall],
-                              "normal_N_per_m")
-               for wall in {row["wall"] for row in rows})
+    """The walls' mean normal force from the window's start to the end of the
+    run, in N or N/m."""
+    def at(time):
+        rows = [row for row in rows_at(directory, time)
+                if not math.isnan(row["normal_Pa"])]
+        for row in rows:
+            row["normal_N_per_m"] = row["normal_Pa"] * (
+                2 * math.pi * row["x_m"] if silo.formulation == "axisymmetric"
+                else 1.)
+        return sum(integral_along([row for row in rows if row["wall"] == wall],
+                                  "normal_N_per_m")
+                   for wall in {row["wall"] for row in rows})
+    return mean_over_outputs(directory, WINDOW[0] * silo.time, silo.end_time,
+                             at)
 
 
 def results():

@@ -1,6 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_contact_h
 #define sandglass_flow_particle_in_cell_contact_h
 
+#include <sandglass/base/own_function.h>
 #include <sandglass/flow/flow_view.h>
 #include <sandglass/flow/particle_in_cell/held_nodes.h>
 #include <sandglass/flow/particle_in_cell/wall_impulse_sums.h>
@@ -218,7 +219,7 @@ namespace Sandglass
                   const double          mass,
                   const double          normal_impulse,
                   const Tensor<1, dim> &velocity,
-                  const Tensor<1, dim> &free_velocity);
+                  const Tensor<1, dim> &free_velocity) SANDGLASS_OWN_FUNCTION;
 
     /**
      * Friction of the walls that hold a node on an edge: what they can rub
