@@ -1,5 +1,6 @@
 #include <sandglass/output/beverloo.h>
 #include <sandglass/output/silo_measures.h>
+#include <sandglass/scene/mesh_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -22,10 +23,7 @@ namespace Sandglass
       for (const auto &face : mesh.faces)
         if (face.role == BoundaryRole::axis)
           {
-            const auto        &x = mesh.vertices;
-            const Tensor<1, 3> normal =
-              cross_product_3d(x[face.vertices[1]] - x[face.vertices[0]],
-                               x[face.vertices[2]] - x[face.vertices[0]]);
+            const Tensor<1, 3> normal = vector_area(mesh, face);
             for (const unsigned int d : {0u, 2u})
               has_plane[d] =
                 has_plane[d] || std::abs(normal[d]) > 0.5 * normal.norm();
@@ -114,15 +112,8 @@ namespace Sandglass
         for (unsigned int v = 0; v < n; ++v)
           kinds[std::minmax(face.vertices[v], face.vertices[(v + 1) % n])] |=
             is_outlet ? of_outlet : of_lip;
-        for (unsigned int v = 1; is_outlet && v + 1 < n; ++v)
-          {
-            const auto &a = mesh.vertices[face.vertices[0]];
-            outlet_area +=
-              scene.symmetry_factor / 2. *
-              cross_product_3d(mesh.vertices[face.vertices[v]] - a,
-                               mesh.vertices[face.vertices[v + 1]] - a)
-                .norm();
-          }
+        if (is_outlet)
+          outlet_area += scene.symmetry_factor * vector_area(mesh, face).norm();
       }
     double along_z = 0.;
     for (const auto &[edge, kind] : kinds)

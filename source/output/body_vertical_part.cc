@@ -1,5 +1,6 @@
 #include <sandglass/output/body_vertical_part.h>
 #include <sandglass/output/silo_measures.h>
+#include <sandglass/scene/mesh_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -18,23 +19,6 @@ namespace Sandglass
     constexpr double same_area = 0.01, same_slope = 0.03;
 
     constexpr double infinity = std::numeric_limits<double>::infinity();
-
-
-
-    /// The vector area of a face, to the side from which its vertices are
-    /// counterclockwise.
-    Tensor<1, 3>
-    vector_area(const Mesh<3> &mesh, const Mesh<3>::Face &face)
-    {
-      const auto  &x = mesh.vertices;
-      Tensor<1, 3> area;
-      for (unsigned int v = 1; v + 1 < mesh.vertices_per_face(); ++v)
-        area +=
-          cross_product_3d(x[face.vertices[v]] - x[face.vertices[0]],
-                           x[face.vertices[v + 1]] - x[face.vertices[0]]) /
-          2.;
-      return area;
-    }
 
 
 

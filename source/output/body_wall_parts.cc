@@ -1,4 +1,5 @@
 #include <sandglass/output/body_wall_parts.h>
+#include <sandglass/scene/mesh_faces.h>
 #include <sandglass/walls/face_geometry.h>
 
 #include <algorithm>
@@ -25,21 +26,6 @@ namespace Sandglass
       unsigned int              n_faces = 0;
       std::vector<unsigned int> vertices;
     };
-
-
-
-    Tensor<1, 3>
-    vector_area(const Mesh<3> &mesh, const Mesh<3>::Face &face)
-    {
-      const auto  &x = mesh.vertices;
-      Tensor<1, 3> area;
-      for (unsigned int v = 1; v + 1 < mesh.vertices_per_face(); ++v)
-        area +=
-          cross_product_3d(x[face.vertices[v]] - x[face.vertices[0]],
-                           x[face.vertices[v + 1]] - x[face.vertices[0]]) /
-          2.;
-      return area;
-    }
 
 
 

@@ -1,3 +1,4 @@
+#include <sandglass/scene/mesh_faces.h>
 #include <sandglass/scene/mesh_outlet.h>
 
 #include <algorithm>
@@ -83,14 +84,9 @@ namespace Sandglass
                   const Mesh<3>::Face &face,
                   const double         edge)
     {
-      const auto  &x = mesh.vertices;
-      const double doubled =
-        dealii::cross_product_3d(x[face.vertices[1]] - x[face.vertices[0]],
-                                 x[face.vertices[2]] - x[face.vertices[0]])
-          .norm();
       const double height_of_triangle = std::sqrt(3.) / 2.;
-      return doubled / edge /
-             (is_simplex(mesh.cell_type) ? height_of_triangle : 1.);
+      return vector_area(mesh, face).norm() / edge /
+             (is_simplex(mesh.cell_type) ? height_of_triangle / 2. : 1.);
     }
 
 

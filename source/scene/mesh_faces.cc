@@ -51,6 +51,20 @@ namespace Sandglass
 
 
 
+  Tensor<1, 3>
+  vector_area(const Mesh<3> &mesh, const Mesh<3>::Face &face)
+  {
+    const auto  &x = mesh.vertices;
+    Tensor<1, 3> area;
+    for (unsigned int v = 1; v + 1 < mesh.vertices_per_face(); ++v)
+      area += cross_product_3d(x[face.vertices[v]] - x[face.vertices[0]],
+                               x[face.vertices[v + 1]] - x[face.vertices[0]]) /
+              2.;
+    return area;
+  }
+
+
+
 #define INSTANTIATE(dim)                                                    \
   template FaceKey<dim>      key_of<dim>(FaceKey<dim>, const unsigned int); \
   template CellsAtFaces<dim> cells_at_faces<dim>(const Mesh<dim> &);

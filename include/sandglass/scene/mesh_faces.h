@@ -27,6 +27,11 @@ namespace Sandglass
   template <int dim>
   CellsAtFaces<dim>
   cells_at_faces(const Mesh<dim> &mesh);
+
+  /// The vector area of a face in m^2, to the side from which its vertices are
+  /// counterclockwise.
+  dealii::Tensor<1, 3>
+  vector_area(const Mesh<3> &mesh, const Mesh<3>::Face &face);
 } // namespace Sandglass
 
 #endif
