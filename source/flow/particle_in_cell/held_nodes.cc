@@ -55,6 +55,8 @@ namespace Sandglass
   {
     release(velocity,
             [this](const unsigned int n, const Tensor<1, dim> &free_velocity) {
+              if (holding[n] == all_supports(nodes[n].supports.size()))
+                return holding[n];
               // A wall that presses lets a node move neither in nor out, or
               // v^L's noise would pump material off it. The other wall lets
               // nothing in.

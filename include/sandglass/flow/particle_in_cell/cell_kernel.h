@@ -1,6 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_cell_kernel_h
 #define sandglass_flow_particle_in_cell_cell_kernel_h
 
+#include <sandglass/base/instruction_sets.h>
 #include <sandglass/base/prefetch.h>
 #include <sandglass/flow/particle_in_cell/nodal_fields.h>
 #include <sandglass/particles/cell_geometry.h>
@@ -76,6 +77,18 @@ namespace Sandglass
     for (const unsigned int cell : blocks.cells())
       if (blocks.first_block(cell) != blocks.none)
         kernel(cell);
+  }
+
+  /// Like for_each_filled_cell(), for what each step does: compiled by itself,
+  /// with all that the kernel calls inlined, for what this processor has. Left
+  /// to itself GCC inlines the loop into the step, and then finds that too
+  /// large to inline what the loop calls.
+  template <typename Layout, typename Kernel>
+  void
+  for_each_filled_cell_in_a_step(const ParticleBlocks<Layout> &blocks,
+                                 const Kernel                 &kernel)
+  {
+    run_with_widest_vectors([&]() { for_each_filled_cell(blocks, kernel); });
   }
 
   /**

@@ -56,7 +56,7 @@ namespace Sandglass
     void
     apply(const NodalSumField<dim> &sums,
           const double              time_step,
-          NodalField<dim>          &acceleration);
+          NodalField<dim>          &acceleration) SANDGLASS_OWN_FUNCTION;
 
     /**
      * Start from the friction that holds the material at rest: without it the

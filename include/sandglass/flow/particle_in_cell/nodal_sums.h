@@ -1,7 +1,6 @@
 #ifndef sandglass_flow_particle_in_cell_nodal_sums_h
 #define sandglass_flow_particle_in_cell_nodal_sums_h
 
-#include <sandglass/base/own_function.h>
 #include <sandglass/flow/particle_in_cell/cell_integration.h>
 #include <sandglass/flow/particle_in_cell/sums_by_cell.h>
 
@@ -45,13 +44,13 @@ namespace Sandglass
      *                         and stiffness; a null pointer leaves these 0.
      */
     template <typename ModulusOfCell>
-    SANDGLASS_OWN_FUNCTION void
+    void
     scatter(const Blocks       &blocks,
             const ModulusOfCell modulus_of_cell,
             NodalSumField<dim> &sums) const
     {
       sums.start_sum();
-      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+      for_each_filled_cell_in_a_step(blocks, [&](const unsigned int cell) {
         const auto &nodes = geometry.nodes(cell);
         const auto &shape = geometry.shape(cell);
         const auto  force = integration.force(cell, cells[cell]);
@@ -78,14 +77,14 @@ namespace Sandglass
      * momentum before the step plus dt M a with the consistent mass matrix.
      * Collective.
      */
-    SANDGLASS_OWN_FUNCTION void
+    void
     map_momentum(const Blocks          &blocks,
                  const NodalField<dim> &acceleration,
                  const double           time_step,
                  NodalField<dim>       &momentum) const
     {
       momentum.start_sum();
-      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+      for_each_filled_cell_in_a_step(blocks, [&](const unsigned int cell) {
         const auto &nodes = geometry.nodes(cell);
         auto values       = cells[cell].mass_times(gather(acceleration, nodes));
         for (unsigned int i = 0; i < n_nodes; ++i)
@@ -103,13 +102,13 @@ namespace Sandglass
      *
      * @return this rank's share of field^T M field.
      */
-    SANDGLASS_OWN_FUNCTION double
+    double
     multiply_by_mass(const Blocks          &blocks,
                      const NodalField<dim> &field,
                      NodalField<dim>       &product) const
     {
       double energy = 0.;
-      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+      for_each_filled_cell_in_a_step(blocks, [&](const unsigned int cell) {
         const auto &cell_nodes = geometry.nodes(cell);
         const auto  values     = gather(field, cell_nodes);
         const auto  products   = cells[cell].mass_times(values);

@@ -72,7 +72,7 @@ namespace Sandglass
      *
      * @param sums  of the particles' present positions, as `cells` are.
      */
-    SANDGLASS_OWN_FUNCTION void
+    void
     compute(const Blocks             &blocks,
             const NodalSums<Setting> &sums,
             const NodalField<dim>    &velocity)
@@ -80,7 +80,7 @@ namespace Sandglass
       if (!is_on)
         return;
       nodal->start_sum();
-      for_each_filled_cell(blocks, [&](const unsigned int cell) {
+      for_each_filled_cell_in_a_step(blocks, [&](const unsigned int cell) {
         add_to_nodes(cell, sums, gather(velocity, geometry.nodes(cell)));
       });
       nodal->finish_sum();
