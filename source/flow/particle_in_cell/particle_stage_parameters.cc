@@ -108,6 +108,18 @@ namespace Sandglass
       "never (paper); or where needed, which is in meshes whose cells' volumes "
       "differ by more than a factor of six, as they do in graded and in "
       "axisymmetric ones.");
+    add_selection<RelieveOverfullCells>(
+      *this,
+      "Relieve overfull cells",
+      relieve_overfull_cells,
+      {{"never", RelieveOverfullCells::never},
+       {"where fed", RelieveOverfullCells::where_fed},
+       {"always", RelieveOverfullCells::always}},
+      "Whether particles are compacted where they fill their cells too much, "
+      "so that pressure drives out what has gathered there: never (paper); "
+      "where fed, which is in silos with a Feed, since slow corners fill up "
+      "over many contents; or always. It takes the averaged Volumetric strain, "
+      "and a law that follows it (all but Lade's).");
     add_selection<OnLostParticle>(
       *this,
       "On lost particle",

@@ -78,6 +78,14 @@ namespace Sandglass
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , critical(*law, geometry, scene)
     {
+      if (volumetric_average.is_on &&
+          relieves_overfull_cells(parameters, feed_parameters))
+        volumetric_average.overfull =
+          std::make_unique<OverfullCells<Setting>>(*scene.nodes,
+                                                   geometry,
+                                                   cloud.blocks().cells(),
+                                                   initial_configuration.points,
+                                                   scene.gravity.norm());
       seed_particles();
       sum_over_particles();
       if (parameters.has_automatic_time_step)
