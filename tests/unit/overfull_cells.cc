@@ -95,9 +95,11 @@ TYPED_TEST(OverfullCellsTest, OverfullCellsAreCompacted)
     this->fixture.for_each_node(
       [&](const Point<2> &position, const unsigned int node) {
         if (std::abs(position[0] - 0.5) > 0.1)
-          EXPECT_NEAR(average.overfull->filling(node),
-                      position[0] > 0.5 ? filling : 1.,
-                      1e-12);
+          {
+            EXPECT_NEAR(average.overfull->filling(node),
+                        position[0] > 0.5 ? filling : 1.,
+                        1e-12);
+          }
       });
     for (const auto &cell : this->fixture.stage->particles().owned_cells())
       {
@@ -112,7 +114,9 @@ TYPED_TEST(OverfullCellsTest, OverfullCellsAreCompacted)
             EXPECT_LT(rate, 0.);
           }
         else if (cell->center()[0] < 0.25)
-          EXPECT_EQ(rate, 0.);
+          {
+            EXPECT_EQ(rate, 0.);
+          }
       }
   });
 }
@@ -138,9 +142,9 @@ TYPED_TEST(OverfullCellsTest, SeparatedParticlesDontCount)
 
 TEST(OverfullCells, AreRelievedWhereFed)
 {
-  const StageFixture      fixture;
-  ParticleStageParameters parameters = fixture.parameters;
-  FeedParameters          feed       = fixture.feed;
+  StageFixture fixture;
+  auto        &parameters = fixture.parameters;
+  auto        &feed       = fixture.feed;
   EXPECT_FALSE(relieves_overfull_cells(parameters, feed));
   feed.kind = FeedKind::level;
   EXPECT_TRUE(relieves_overfull_cells(parameters, feed));

@@ -24,12 +24,11 @@ namespace Sandglass
   double
   relief_rate(const double filling, const double side, const double gravity)
   {
-    // Particles come one by one, so their number in a few cells fluctuates, in
-    // flow as at rest. What is allowed keeps that from loosening what flows.
+    // Particles come one by one, so what a few cells hold fluctuates: what is
+    // allowed keeps that from loosening material that flows.
     constexpr double allowed = 0.1;
-    // Of the time in which a cell's length is passed in the flow's
-    // acceleration.
-    constexpr double relative_time = 5.;
+    // Over sqrt(side / g), in which gravity brings a particle half a cell on.
+    constexpr double relative_time = 6.;
     return std::max(0., filling - 1. - allowed) * std::sqrt(gravity / side) /
            relative_time;
   }
