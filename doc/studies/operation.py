@@ -37,7 +37,8 @@ def has_ended(run):
 
 def row(kind, case, **values):
     names = ("wall_force_N_per_m", "lateral_ratio", "over_janssen",
-             "friction_over_janssen", "flow_rate_kg_per_s", "over_outlet",
+             "friction_over_janssen", "friction_of_whole_over_janssen",
+             "flow_rate_kg_per_s", "over_outlet",
              "exponent", "spread", "last_over_second", "emptying_time_s",
              "emptying_times", "mass_over_initial", "mass_error", "relief")
     return {"kind": kind, "case": case,
@@ -83,10 +84,11 @@ def beside_janssen(wall):
 
 def janssen_row(n_layers):
     wall = wall_at_rest(layer_run(n_layers).directory)
-    force, ratio, share, _ = beside_janssen(wall)
+    force, ratio, share, friction = beside_janssen(wall)
     above = [node for node in wall if node[0] > HALF_WIDTH - 1e-9]
     return row("layers", n_layers, wall_force_N_per_m=force,
                lateral_ratio=ratio, over_janssen=share,
+               friction_of_whole_over_janssen=friction,
                friction_over_janssen=beside_janssen(above)[3])
 
 
@@ -155,10 +157,11 @@ def of_kind(rows, kind):
 def layers(rows):
     return markdown(
         ["layers", "wall force, kN/m", "K", "force over Janssen's",
-         "friction above one half width over Janssen's"],
+         "friction over Janssen's", "the same above one half width"],
         [[row["case"], number(row["wall_force_N_per_m"] / 1e3, ".2f"),
           number(row["lateral_ratio"], ".4f"),
           number(row["over_janssen"], ".3f"),
+          number(row["friction_of_whole_over_janssen"], ".3f"),
           number(row["friction_over_janssen"], ".3f")]
          for row in of_kind(rows, "layers")])
 

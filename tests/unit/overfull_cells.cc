@@ -146,6 +146,8 @@ TEST(OverfullCells, AreRelievedWhereFed)
   auto        &parameters = fixture.parameters;
   auto        &feed       = fixture.feed;
   EXPECT_FALSE(relieves_overfull_cells(parameters, feed));
+  feed.kind = FeedKind::rain;
+  EXPECT_FALSE(relieves_overfull_cells(parameters, feed));
   feed.kind = FeedKind::level;
   EXPECT_TRUE(relieves_overfull_cells(parameters, feed));
   parameters.relieve_overfull_cells = RelieveOverfullCells::never;

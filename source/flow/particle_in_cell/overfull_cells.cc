@@ -13,7 +13,7 @@ namespace Sandglass
         case RelieveOverfullCells::never:
           return false;
         case RelieveOverfullCells::where_fed:
-          return feed.kind != FeedKind::none;
+          return feed.kind == FeedKind::level;
         default:
           return true;
       }

@@ -117,9 +117,11 @@ namespace Sandglass
        {"always", RelieveOverfullCells::always}},
       "Whether particles are compacted where they fill their cells too much, "
       "so that pressure drives out what has gathered there: never (paper); "
-      "where fed, which is in silos with a Feed, since slow corners fill up "
-      "over many contents; or always. It takes the averaged Volumetric strain, "
-      "and a law that follows it (all but Lade's).");
+      "where fed, which is in silos that are kept full (Feed/Kind = level) "
+      "while an outlet is open, since their slow corners fill up over many "
+      "contents; or always, with which overfull material without an outlet "
+      "doesn't come to rest. It takes the averaged Volumetric strain, and a law "
+      "that follows it (all but Lade's).");
     add_selection<OnLostParticle>(
       *this,
       "On lost particle",
