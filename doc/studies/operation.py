@@ -3,8 +3,8 @@ through a part of an outlet."""
 import math
 
 import run_output
-from operation_cases import (FUNNEL_SIZES, LAYERS, NAME, OUTLET, SHARES,
-                             funnel_run, layer_run, opening_run, runs,
+from operation_cases import (LAYERS, NAME, OUTLET, RELIEF, SHARES,
+                             funnel_runs, layer_run, opening_run, runs,
                              steady_run)
 from plots import STYLE, plt, save
 from runs import make_all
@@ -21,11 +21,11 @@ def make_runs():
 
 def results():
     return ([janssen_row(n) for n in LAYERS if has_ended(layer_run(n))] +
-            [steady_row("hopper", run)
+            [steady_row("hopper, triangles", RELIEF[0], run)
              for run in [steady_run()] if has_ended(run)] +
-            [steady_row(cell_type, funnel_run(cell_type))
-             for cell_type in FUNNEL_SIZES
-             if has_ended(funnel_run(cell_type))] +
+            [steady_row(f"flat bottom, {case}", relief, run)
+             for (case, relief), run in funnel_runs().items()
+             if has_ended(run)] +
             [opening_row(share) for share in SHARES
              if has_ended(opening_run(share, True)) and
              has_ended(opening_run(share, False))])
@@ -37,9 +37,10 @@ def has_ended(run):
 
 def row(kind, case, **values):
     names = ("wall_force_N_per_m", "lateral_ratio", "over_janssen",
-             "friction_over_janssen", "flow_rate_kg_per_s", "over_outlet",
+             "friction_over_janssen", "friction_of_whole_over_janssen",
+             "flow_rate_kg_per_s", "over_outlet",
              "exponent", "spread", "last_over_second", "emptying_time_s",
-             "emptying_times", "mass_over_initial", "mass_error")
+             "emptying_times", "mass_over_initial", "mass_error", "relief")
     return {"kind": kind, "case": case,
             **{name: values.get(name) for name in names}}
 
@@ -83,23 +84,24 @@ def beside_janssen(wall):
 
 def janssen_row(n_layers):
     wall = wall_at_rest(layer_run(n_layers).directory)
-    force, ratio, share, _ = beside_janssen(wall)
+    force, ratio, share, friction = beside_janssen(wall)
     above = [node for node in wall if node[0] > HALF_WIDTH - 1e-9]
     return row("layers", n_layers, wall_force_N_per_m=force,
                lateral_ratio=ratio, over_janssen=share,
+               friction_of_whole_over_janssen=friction,
                friction_over_janssen=beside_janssen(above)[3])
 
 
 # --- Steady state --------------------------------------------------------------
 
-def steady_row(case, run):
+def steady_row(case, relief, run):
     """The rate over each emptying time of the silo, after the first."""
     rates, unit = rates_by_content(run.directory)
     settled = rates[1:]
     mean = sum(settled) / len(settled)
     summary = run_output.read_summary(run.directory)
     history = run_output.read_table(run.directory, "history.csv")
-    return row("steady", case, flow_rate_kg_per_s=mean,
+    return row("steady", case, relief=relief, flow_rate_kg_per_s=mean,
                spread=(max(settled) - min(settled)) / mean,
                last_over_second=sum(settled[-3:]) / sum(settled[:3]),
                emptying_time_s=unit, emptying_times=len(rates),
@@ -155,10 +157,11 @@ def of_kind(rows, kind):
 def layers(rows):
     return markdown(
         ["layers", "wall force, kN/m", "K", "force over Janssen's",
-         "friction above one half width over Janssen's"],
+         "friction over Janssen's", "the same above one half width"],
         [[row["case"], number(row["wall_force_N_per_m"] / 1e3, ".2f"),
           number(row["lateral_ratio"], ".4f"),
           number(row["over_janssen"], ".3f"),
+          number(row["friction_of_whole_over_janssen"], ".3f"),
           number(row["friction_over_janssen"], ".3f")]
          for row in of_kind(rows, "layers")])
 
@@ -172,16 +175,13 @@ def gates(rows):
           number(row["exponent"], ".2f")] for row in of_kind(rows, "gate")])
 
 
-SILOS = {"hopper": "hopper, triangles", "triangle": "flat bottom, triangles",
-         "quadrilateral": "flat bottom, squares"}
-
-
 def steady(rows):
     return markdown(
-        ["silo", "flow rate, kg/(s m)", "emptying time, s", "emptying times",
+        ["silo", "`Relieve overfull cells`", "flow rate, kg/(s m)",
+         "emptying time, s", "emptying times",
          "largest less smallest over the mean", "last three over first three",
          "mass in the silo over that of the start", "mass balance"],
-        [[SILOS[row["case"]], number(row["flow_rate_kg_per_s"]),
+        [[row["case"], f"`{row['relief']}`", number(row["flow_rate_kg_per_s"]),
           number(row["emptying_time_s"], ".2f"), row["emptying_times"],
           f"{100 * row['spread']:.1f} %", number(row["last_over_second"], ".3f"),
           number(row["mass_over_initial"], ".3f"),
@@ -196,21 +196,24 @@ def parts(rows):
 
 def draw(rows):
     """The flow rates of the steady states over time."""
-    cases = {"hopper": steady_run(), **{cell_type: funnel_run(cell_type)
-                                        for cell_type in FUNNEL_SIZES}}
+    drawn = {"hopper, triangles": [steady_run()]}
+    for (case, _), run in funnel_runs().items():
+        drawn.setdefault(f"flat bottom, {case}", []).append(run)
+    means = {row["case"]: row["flow_rate_kg_per_s"]
+             for row in of_kind(rows, "steady") if row["relief"] == RELIEF[0]}
     with plt.rc_context(STYLE):
-        figure, panels = plt.subplots(1, len(cases), figsize=(12, 3),
+        figure, panels = plt.subplots(1, len(drawn), figsize=(14, 3),
                                       sharey=True, layout="constrained")
-        for axes, found in zip(panels, of_kind(rows, "steady")):
-            flow = run_output.read_table(cases[found["case"]].directory,
-                                         "flow_rate.csv")
-            mean = found["flow_rate_kg_per_s"]
+        for axes, (case, cases) in zip(panels, drawn.items()):
             axes.axhspan(0.985, 1.015, color="#dddddd", linewidth=0)
-            axes.plot(flow["time_s"],
-                      [rate / mean if rate != "" else math.nan
-                       for rate in flow["mass_flow_rate_kg_per_s"]],
-                      color="#1d3557", linewidth=0.8)
-            axes.set_title(SILOS[found["case"]], fontsize=11)
+            for run, color in reversed(list(zip(cases,
+                                                ("#1d3557", "#e07a5f")))):
+                flow = run_output.read_table(run.directory, "flow_rate.csv")
+                axes.plot(flow["time_s"],
+                          [rate / means[case] if rate != "" else math.nan
+                           for rate in flow["mass_flow_rate_kg_per_s"]],
+                          color=color, linewidth=0.8)
+            axes.set_title(case, fontsize=11)
             axes.set_xlabel("time, s")
         panels[0].set_ylabel("flow rate over its mean")
         panels[0].set_ylim(0.7, 1.3)

@@ -7,8 +7,11 @@ LAYERS = (1, 2, 4, 8, 16, 25)
 SHARES = (25, 50, 75, 100)  # of the outlet that a gate leaves open, %
 OUTLET = 0.2  # half width of the whole outlet, m
 STEADY_END = 45.  # s
-# Of elements, and of those at the lip, in m
-FUNNEL_SIZES = {"triangle": (0.05, 0.02), "quadrilateral": (0.025, 0)}
+# Cell type, size of elements, and of those at the lip, in m
+FUNNELS = {"triangles": ("triangle", 0.05, 0.02),
+           "finer triangles": ("triangle", 0.03, 0.02),
+           "squares": ("quadrilateral", 0.025, 0)}
+RELIEF = ("where fed", "never")  # of overfull cells
 
 
 def layer_run(n_layers):
@@ -23,18 +26,26 @@ def steady_run():
                       ("Output/History interval", 0.05)), WITHOUT_FIELDS)
 
 
-def funnel_run(cell_type):
-    """A flat bottom instead of the hopper; as fine at the lip on both cells."""
-    size, at_lip = FUNNEL_SIZES[cell_type]
-    return study_run(NAME, f"funnel-{cell_type}", "../operation/refill",
+def funnel_run(case, relief):
+    """A flat bottom instead of the hopper; as fine at the lip on all cells."""
+    cell_type, size, at_lip = FUNNELS[case]
+    name = case.replace(" ", "-") + ("-crowded" if relief == "never" else "")
+    return study_run(NAME, f"funnel-{name}", "../operation/refill",
                      (("Scene/Hopper height", 0),
                       ("Scene/Wall height", 1),
                       ("Scene/Cell type", cell_type),
                       ("Scene/Element size", size),
                       ("Scene/Outlet element size", at_lip),
+                      ("Particle stage/Relieve overfull cells", relief),
                       ("Stop/Steady within", 0),
                       ("Particle stage/End time", STEADY_END),
                       ("Output/History interval", 0.05)), WITHOUT_FIELDS)
+
+
+def funnel_runs():
+    """By case and relief."""
+    return {(case, relief): funnel_run(case, relief)
+            for case in FUNNELS for relief in RELIEF}
 
 
 def opening_run(share, has_gate):
@@ -54,6 +65,6 @@ def opening_run(share, has_gate):
 
 def runs():
     return ([layer_run(n) for n in LAYERS] + [steady_run()] +
-            [funnel_run(cell_type) for cell_type in FUNNEL_SIZES] +
+            list(funnel_runs().values()) +
             [opening_run(share, has_gate) for share in SHARES
              for has_gate in (True, False)])

@@ -2,7 +2,7 @@
 # What filling by layers and refilling are for, on the scenes of prm/operation.
 # ctest calls this.
 #
-#   operation.sh SETTINGS layers|steady
+#   operation.sh SETTINGS layers|steady|funnel
 set -euo pipefail
 export LC_ALL=C
 
@@ -70,20 +70,10 @@ janssen()
 # within SHARE VALUE REFERENCE
 within() { awk -v s="$1" -v a="$2" -v b="$3" 'BEGIN { exit !(a > (1 - s) * b && a < (1 + s) * b) }'; }
 
-if [ "$case" = layers ]; then
-  last=
-  for n in 1 4 16; do
-    run layers "layers-$n" -s "Scene/Layers=$n"
-    read -r force share friction <<<"$(janssen "layers-$n")"
-    echo "$n layers: wall force $force N/m, over Janssen's $share; friction above $friction"
-    within 0.03 "$share" 1 || fail "the wall's force is not Janssen's"
-    within 0.03 "$friction" 1 || fail "the friction is not Janssen's"
-    [ -z "$last" ] || within 0.005 "$force" "$last" || fail "layers change the force"
-    last=$force
-  done
-else
-  run refill output -s "Stop/Steady within=0" -s "Particle stage/End time=36" \
-    -s "Output/History interval=0.05"
+# keep_full [settings]: a silo that is kept full for 20 of its emptying times.
+keep_full()
+{
+  run refill output -s "Stop/Steady within=0" -s "Output/History interval=0.05" "$@"
   # Means over one emptying time after the other, but the first
   awk -F, '
     NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
@@ -114,4 +104,23 @@ else
     }' output/history.csv || fail "the flow is not steady"
   error=$(sed -n 's/^ *"mass_balance_error": \([^,]*\),*$/\1/p' output/summary.json)
   awk -v e="$error" 'BEGIN { exit !(e != "" && e + 0 < 1e-13) }' || fail "masses differ by $error"
+}
+
+if [ "$case" = layers ]; then
+  last=
+  for n in 1 4 16; do
+    run layers "layers-$n" -s "Scene/Layers=$n"
+    read -r force share friction <<<"$(janssen "layers-$n")"
+    echo "$n layers: wall force $force N/m, over Janssen's $share; friction above $friction"
+    within 0.03 "$share" 1 || fail "the wall's force is not Janssen's"
+    within 0.03 "$friction" 1 || fail "the friction is not Janssen's"
+    [ -z "$last" ] || within 0.005 "$force" "$last" || fail "layers change the force"
+    last=$force
+  done
+elif [ "$case" = steady ]; then
+  keep_full -s "Particle stage/End time=36"
+else
+  # Funnel flow beside slow corners, which must not fill up.
+  keep_full -s "Particle stage/End time=48" -s "Scene/Hopper height=0" \
+    -s "Scene/Wall height=1" -s "Scene/Cell type=quadrilateral" -s "Scene/Element size=0.025"
 fi

@@ -108,6 +108,20 @@ namespace Sandglass
       "never (paper); or where needed, which is in meshes whose cells' volumes "
       "differ by more than a factor of six, as they do in graded and in "
       "axisymmetric ones.");
+    add_selection<RelieveOverfullCells>(
+      *this,
+      "Relieve overfull cells",
+      relieve_overfull_cells,
+      {{"never", RelieveOverfullCells::never},
+       {"where fed", RelieveOverfullCells::where_fed},
+       {"always", RelieveOverfullCells::always}},
+      "Whether particles are compacted where they fill their cells too much, "
+      "so that pressure drives out what has gathered there: never (paper); "
+      "where fed, which is in silos that are kept full (Feed/Kind = level) "
+      "while an outlet is open, since their slow corners fill up over many "
+      "contents; or always, with which overfull material without an outlet "
+      "doesn't come to rest. It takes the averaged Volumetric strain, and a law "
+      "that follows it (all but Lade's).");
     add_selection<OnLostParticle>(
       *this,
       "On lost particle",

@@ -14,6 +14,7 @@
 #include <sandglass/flow/throw_law_failure.h>
 #include <sandglass/particles/seeding.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -78,6 +79,16 @@ namespace Sandglass
       , mass_matrix(*scene.nodes, geometry, parameters.consistent_mass_share)
       , critical(*law, geometry, scene)
     {
+      if (volumetric_average.is_on &&
+          relieves_overfull_cells(parameters, feed_parameters) &&
+          (can_flow_out() ||
+           parameters.relieve_overfull_cells == RelieveOverfullCells::always))
+        volumetric_average.overfull =
+          std::make_unique<OverfullCells<Setting>>(*scene.nodes,
+                                                   geometry,
+                                                   cloud.blocks().cells(),
+                                                   initial_configuration.points,
+                                                   scene.gravity.norm());
       seed_particles();
       sum_over_particles();
       if (parameters.has_automatic_time_step)
@@ -170,6 +181,16 @@ namespace Sandglass
     using Stage::removed;
     using Stage::scene;
     using Stage::time;
+
+    /// Whether an outlet is open, at least in part.
+    bool
+    can_flow_out() const
+    {
+      const auto &faces = scene.mesh.faces;
+      return std::any_of(faces.begin(), faces.end(), [](const auto &face) {
+        return face.role == BoundaryRole::outlet;
+      });
+    }
 
     void
     pass_over_particles()

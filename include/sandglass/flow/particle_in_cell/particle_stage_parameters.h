@@ -39,6 +39,14 @@ namespace Sandglass
     where_needed ///< in meshes whose cells differ much in volume
   };
 
+  /// Where cells in which too many particles have gathered are relieved.
+  enum class RelieveOverfullCells
+  {
+    never,     ///< as in the paper
+    where_fed, ///< in silos that are fed, which may run for many contents
+    always
+  };
+
   /// Section `Particle stage`: the explicit particle-in-cell stage.
   class ParticleStageParameters : public dealii::ParameterAcceptor
   {
@@ -56,15 +64,17 @@ namespace Sandglass
     double       time_step_safety   = 0.8;
     unsigned int time_step_interval = 20;
     /// alpha of the mass matrix alpha M + (1 - alpha) M_I (Section 3)
-    double            consistent_mass_share = 0.;
-    VolumetricStrain  volumetric_strain     = VolumetricStrain::averaged;
-    StressIntegration stress_integration    = StressIntegration::start_of_step;
-    ForceIntegration  force_integration     = ForceIntegration::cell;
-    DensityUpdate     density_update        = DensityUpdate::separation;
-    double            loosest_density       = 0.97;
-    SplitParticles    split_particles       = SplitParticles::where_needed;
-    OnLostParticle    on_lost_particle      = OnLostParticle::stop;
-    double            largest_speed         = 10.;
+    double               consistent_mass_share = 0.;
+    VolumetricStrain     volumetric_strain     = VolumetricStrain::averaged;
+    StressIntegration    stress_integration = StressIntegration::start_of_step;
+    ForceIntegration     force_integration  = ForceIntegration::cell;
+    DensityUpdate        density_update     = DensityUpdate::separation;
+    double               loosest_density    = 0.97;
+    SplitParticles       split_particles    = SplitParticles::where_needed;
+    RelieveOverfullCells relieve_overfull_cells =
+      RelieveOverfullCells::where_fed;
+    OnLostParticle on_lost_particle = OnLostParticle::stop;
+    double         largest_speed    = 10.;
 
     /// Whether the step follows the critical step instead of a table.
     bool has_automatic_time_step = true;

@@ -2,6 +2,7 @@
 #define sandglass_flow_particle_in_cell_volumetric_average_h
 
 #include <sandglass/flow/particle_in_cell/nodal_sums.h>
+#include <sandglass/flow/particle_in_cell/overfull_cells.h>
 #include <sandglass/flow/particle_in_cell/volumetric_sums.h>
 
 #include <algorithm>
@@ -90,6 +91,13 @@ namespace Sandglass
           if (values[Value::dense_volume] > 0.)
             values[Value::dense_rate] /= values[Value::dense_volume];
         }
+      if (overfull)
+        {
+          overfull->compute(blocks, sums);
+          for (unsigned int node = 0; node < n_owned_nodes; ++node)
+            nodal->at(node)[Value::dense_rate] -=
+              overfull->compaction_rate(node);
+        }
       nodal->update_ghosts();
     }
 
@@ -129,6 +137,9 @@ namespace Sandglass
     /// Sums at the particles' present positions; none if averaging is off, or
     /// if all particles of a cell have its rate.
     std::unique_ptr<Sums> cells;
+
+    /// None unless overfull cells are relieved.
+    std::unique_ptr<OverfullCells<Setting>> overfull;
 
   private:
     /// Of the cells around a node.
