@@ -61,7 +61,7 @@ janssen()
       mu = sin(20 * atan2(0, -1) / 180) / cos(20 * atan2(0, -1) / 180)
       compare(1)
       whole = force; of_whole = share
-      for (first = 1; y[first] < b - 1e-9; ++first);
+      for (first = 1; first < n && y[first] < b - 1e-9; ++first);
       compare(first)
       print whole, of_whole, rubbed
     }' "$1/wall_traction.csv"
@@ -80,7 +80,7 @@ keep_full()
     { ++n; t[n] = $c["time_s"]; m[n] = $c["mass_discharged_kg"]; s[n] = $c["mass_in_silo_kg"] }
     function mass(time)
     {
-      while (t[j + 1] < time) ++j
+      while (j + 1 < n && t[j + 1] < time) ++j
       return m[j] + (time - t[j]) / (t[j + 1] - t[j]) * (m[j + 1] - m[j])
     }
     END {
