@@ -103,6 +103,10 @@ namespace Sandglass
     void
     clear();
 
+    /// Make room for as many cells with as many particles in each.
+    void
+    reserve(const unsigned int n_cells, const unsigned int n_in_cell);
+
     ParticleSlot
     insert(const Parcel &parcel);
 
@@ -133,7 +137,8 @@ namespace Sandglass
     overwrite(const ParticleSlot &slot, const Parcel &parcel);
 
     /// Store the blocks in the order of cells and chains again, so that memory
-    /// is read in order. Slots become invalid.
+    /// is read in order. Slots become invalid. Blocks change places where they
+    /// are: a second memory for them would be half of all that particles take.
     void
     sort();
 
@@ -260,6 +265,15 @@ namespace Sandglass
     unsigned int
     add_block(const unsigned int cell);
 
+    /// Which block goes where when they are sorted, unused ones to the end; the
+    /// chains are told their blocks' new places.
+    void
+    find_order();
+
+    /// Move blocks along the cycle of `sources` that `place` is in.
+    void
+    move_cycle(const unsigned int place);
+
     /// Copy the first lane, without mass, into the empty ones.
     void
     fill_empty_lanes(const unsigned int block);
@@ -273,9 +287,9 @@ namespace Sandglass
     unsigned int              n_stored = 0;
     unsigned int              n_added  = 0; ///< blocks since sort()
 
-    /// Kept between calls to avoid allocation.
-    std::vector<Block> sorted_blocks;
-    std::vector<Link>  sorted_links;
+    /// Kept between calls to avoid allocation: the block that goes to each
+    /// place.
+    std::vector<unsigned int> sources;
   };
 } // namespace Sandglass
 

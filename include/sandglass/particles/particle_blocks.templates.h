@@ -92,29 +92,75 @@ namespace Sandglass
 
   template <typename Layout>
   void
+  ParticleBlocks<Layout>::reserve(const unsigned int n_cells,
+                                  const unsigned int n_in_cell)
+  {
+    const std::size_t n_blocks =
+      std::size_t(n_cells) * ((n_in_cell + Lanes::n - 1) / Lanes::n);
+    blocks.reserve(n_blocks);
+    links.reserve(n_blocks);
+  }
+
+
+
+  template <typename Layout>
+  void
   ParticleBlocks<Layout>::sort()
   {
-    sorted_blocks.clear();
-    sorted_links.clear();
-    sorted_blocks.reserve(blocks.size());
-    sorted_links.reserve(links.size());
+    find_order();
+    for (unsigned int place = 0; place < sources.size(); ++place)
+      move_cycle(place);
+    blocks.resize(blocks.size() - unused.size());
+    links.resize(blocks.size());
+    unused.clear();
+    n_added = 0;
+  }
+
+
+
+  template <typename Layout>
+  void
+  ParticleBlocks<Layout>::find_order()
+  {
+    sources.clear();
+    sources.reserve(blocks.size());
     for (const unsigned int cell : cells_in_order)
       {
         unsigned int  block = first[cell];
         unsigned int *place = &first[cell];
         while (block != none)
           {
-            *place = sorted_blocks.size();
-            sorted_blocks.push_back(blocks[block]);
-            sorted_links.push_back(links[block]);
-            block = links[block].next;
-            place = &sorted_links.back().next;
+            *place = sources.size();
+            sources.push_back(block);
+            place = &links[block].next;
+            block = *place;
           }
       }
-    std::swap(blocks, sorted_blocks);
-    std::swap(links, sorted_links);
-    unused.clear();
-    n_added = 0;
+    sources.insert(sources.end(), unused.begin(), unused.end());
+  }
+
+
+
+  template <typename Layout>
+  void
+  ParticleBlocks<Layout>::move_cycle(const unsigned int place)
+  {
+    if (sources[place] == place)
+      return;
+    const Block  block = blocks[place];
+    const Link   link  = links[place];
+    unsigned int to    = place;
+    for (unsigned int from = sources[to]; from != place; from = sources[to])
+      {
+        Sandglass::prefetch(blocks[sources[from]]);
+        blocks[to]  = blocks[from];
+        links[to]   = links[from];
+        sources[to] = to;
+        to          = from;
+      }
+    blocks[to]  = block;
+    links[to]   = link;
+    sources[to] = to;
   }
 
 

@@ -12,9 +12,8 @@ namespace Sandglass
 {
   /**
    * The material points. The blocks own them; deal.II's ParticleHandler is a
-   * view of them, made from the blocks when somebody asks for it: for seeding,
-   * exchange and export by deal.II's means. Moves particles between cells and
-   * ranks.
+   * view of them, made from the blocks when somebody asks for it, for exchange
+   * and export by deal.II's means. Moves particles between cells and ranks.
    */
   template <typename Layout>
   class ParticleCloud
@@ -34,7 +33,8 @@ namespace Sandglass
     const Handler &
     handler() const;
 
-    /// Call `change(handler)`, which may change, add or remove particles.
+    /// Call `change(handler)`, which may change, add or remove particles. The
+    /// handler's memory, as much as a particle has in its block, is freed then.
     /// Collective.
     template <typename Change>
     void
@@ -43,6 +43,7 @@ namespace Sandglass
       handler();
       change(particle_handler);
       load_blocks();
+      particle_handler.clear_particles();
     }
 
     const Blocks &
@@ -109,7 +110,7 @@ namespace Sandglass
 
     // The view that handler() makes.
     mutable Handler particle_handler;
-    mutable bool    handler_is_current = true;
+    mutable bool    handler_is_current = false;
 
     /// Kept between calls to avoid allocation.
     mutable std::vector<Parcel> parcels_of_cell;

@@ -122,7 +122,7 @@ namespace Sandglass
                     parcel.properties.begin());
           particle_blocks.insert(parcel);
         }
-    handler_is_current = true;
+    handler_is_current = false;
   }
 
 

@@ -1,6 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_cell_stiffness_h
 #define sandglass_flow_particle_in_cell_cell_stiffness_h
 
+#include <sandglass/base/symmetric_matrix.h>
 #include <sandglass/flow/particle_in_cell/law_interface.h>
 
 namespace Sandglass
@@ -83,42 +84,35 @@ namespace Sandglass
              NodalField<dim>          &product) const
     {
       double energy = 0.;
-      for_each_filled_cell(blocks, [&](const unsigned int cell) {
-        const auto   &nodes         = geometry.nodes(cell);
-        const OfNodes displacements = gather(field, nodes);
-        OfNodes       forces;
-        if constexpr (Setting::has_uniform_strain)
-          forces = forces_of_uniform_strain(geometry.shape(cell),
-                                            displacements,
-                                            elasticity(cell),
-                                            cells.dense_volume(cell));
-        else
-          as_vector(forces) = matrices[cell] * as_vector(displacements);
-        energy += scalar_product(forces, displacements);
-        scatter(forces, nodes, product);
+      run_with_widest_vectors([&]() {
+        for_each_filled_cell(blocks, [&](const unsigned int cell) {
+          const auto   &nodes         = geometry.nodes(cell);
+          const OfNodes displacements = gather(field, nodes);
+          OfNodes       forces;
+          if constexpr (Setting::has_uniform_strain)
+            forces = forces_of_uniform_strain(geometry.shape(cell),
+                                              displacements,
+                                              elasticity(cell),
+                                              cells.dense_volume(cell));
+          else
+            matrices[cell].multiply(displacements[0].data(), forces[0].data());
+          energy += scalar_product(forces, displacements);
+          scatter(forces, nodes, product);
+        });
       });
       return energy;
     }
 
   private:
-    static constexpr int n_dofs = dim * n_nodes;
-    using Matrix                = Eigen::Matrix<double, n_dofs, n_dofs>;
-    using Vector                = Eigen::Matrix<double, n_dofs, 1>;
-    /// For each pair of nodes i <= j: the effect on i of a displacement of j.
-    using NodePairs = std::array<std::array<std::array<Lanes, dim>, dim>,
-                                 n_nodes *(n_nodes + 1) / 2>;
-
-    static Eigen::Map<Vector>
-    as_vector(OfNodes &values)
-    {
-      return Eigen::Map<Vector>(values[0].data());
-    }
-
-    static Eigen::Map<const Vector>
-    as_vector(const OfNodes &values)
-    {
-      return Eigen::Map<const Vector>(values[0].data());
-    }
+    using Matrix = SymmetricMatrix<dim * n_nodes>;
+    /// A node's gradient g, and with hoop strain h = N / x as one more number.
+    static constexpr unsigned int n_of_node =
+      dim + (Setting::has_hoop_strain ? 1 : 0);
+    static constexpr unsigned int n_of_pair = n_of_node * n_of_node;
+    /// The products of these numbers times volume, summed over particles, for
+    /// each pair of nodes i <= j: those of i run last.
+    template <typename Number>
+    using Products = std::array<Number, n_nodes *(n_nodes + 1) / 2 * n_of_pair>;
 
     /// The stiffest that the law is among a cell's particles.
     Elasticity
@@ -161,85 +155,103 @@ namespace Sandglass
              const NodalSums<Setting> &cells,
              const unsigned int        cell)
     {
-      NodePairs pairs;
-      for (auto &pair : pairs)
-        for (auto &row : pair)
-          row.fill(Lanes(0.));
+      Products<Lanes> of_lanes;
+      of_lanes.fill(Lanes(0.));
       blocks.for_each_block_in_cell(cell, [&](const unsigned int block) {
         add_particles(load_state(blocks[block]),
                       cells.cells.smallest_density,
                       geometry.shape(cell),
-                      elasticity(cell),
-                      pairs);
+                      of_lanes);
       });
+      Products<double> products;
+      sum_lanes(of_lanes, products);
 
       const double of_particles =
         cells[cell].values[CellSums<Setting, double>::dense_volume];
       const double factor =
         of_particles > 0. ? cells.dense_volume(cell) / of_particles : 1.;
-      auto pair = pairs.begin();
+      Matrix       &matrix = matrices[cell];
+      const double *pair   = products.data();
       for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int j = i; j < n_nodes; ++j, ++pair)
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int e = 0; e < dim; ++e)
-              matrices[cell](dim * i + d, dim * j + e) =
-                matrices[cell](dim * j + e, dim * i + d) =
-                  factor * sum((*pair)[d][e]);
+        for (unsigned int j = i; j < n_nodes; ++j, pair += n_of_pair)
+          {
+            const auto stiffness = stiffness_of_pair(pair, elasticity(cell));
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int e = i == j ? d : 0; e < dim; ++e)
+                matrix.set(dim * i + d, dim * j + e, factor * stiffness[d][e]);
+          }
     }
 
-    /**
-     * V B^T C B for particles side by side: in terms of the nodes' shape
-     * functions N, their gradients g and h = N / x, and with t = g, to which h
-     * is added in x, for the trace of the strain, it is the sum of lambda t_i
-     * t_j^T, G g_j g_i^T, G g_i . g_j on the diagonal, and 2 G h_i h_j for x.
-     */
     void
-    add_particles(const State      &state,
-                  const double      smallest_density,
-                  const Shape      &shape,
-                  const Elasticity &elasticity,
-                  NodePairs        &pairs) const
+    add_particles(const State     &state,
+                  const double     smallest_density,
+                  const Shape     &shape,
+                  Products<Lanes> &products) const
     {
-      const auto  gradients = shape.shape_gradients(state.reference);
-      const Lanes volume =
-        select(is_dense(state, smallest_density), state.volume(), Lanes(0.));
-      const Lanes lame  = volume * elasticity.lame_modulus;
-      const Lanes shear = volume * elasticity.shear_modulus;
-
-      std::array<std::array<Lanes, dim>, n_nodes> traces;
-      std::array<Lanes, n_nodes>                  hoop;
+      std::array<std::array<Lanes, n_of_node>, n_nodes> of_nodes;
+      const auto gradients = shape.shape_gradients(state.reference);
       for (unsigned int i = 0; i < n_nodes; ++i)
         for (unsigned int d = 0; d < dim; ++d)
-          traces[i][d] = Lanes(gradients[i][d]);
+          of_nodes[i][d] = Lanes(gradients[i][d]);
       if constexpr (Setting::has_hoop_strain)
         {
           const auto  values     = Shape::shape_values(state.reference);
           const Lanes per_radius = Lanes(1.) / state.location[0];
           for (unsigned int i = 0; i < n_nodes; ++i)
-            {
-              hoop[i] = values[i] * per_radius;
-              traces[i][0] += hoop[i];
-            }
+            of_nodes[i][dim] = values[i] * per_radius;
         }
 
-      auto pair = pairs.begin();
+      const Lanes volume =
+        select(is_dense(state, smallest_density), state.volume(), Lanes(0.));
+      Lanes *product = products.data();
       for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int j = i; j < n_nodes; ++j, ++pair)
-          {
-            auto product = gradients[i][0] * gradients[j][0];
-            for (unsigned int d = 1; d < dim; ++d)
-              product += gradients[i][d] * gradients[j][d];
-            const Lanes on_diagonal = shear * product;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                for (unsigned int e = 0; e < dim; ++e)
-                  (*pair)[d][e] += lame * traces[i][d] * traces[j][e] +
-                                   shear * gradients[i][e] * gradients[j][d];
-                (*pair)[d][d] += on_diagonal;
-              }
-            if constexpr (Setting::has_hoop_strain)
-              (*pair)[0][0] += 2. * shear * hoop[i] * hoop[j];
-          }
+        {
+          std::array<Lanes, n_of_node> of_i;
+          for (unsigned int d = 0; d < n_of_node; ++d)
+            of_i[d] = volume * of_nodes[i][d];
+          for (unsigned int j = i; j < n_nodes; ++j)
+            for (unsigned int d = 0; d < n_of_node; ++d)
+              for (unsigned int e = 0; e < n_of_node; ++e)
+                *product++ += of_i[d] * of_nodes[j][e];
+        }
+    }
+
+    /**
+     * The effect on node i of a displacement of node j, a part of V B^T C B: in
+     * terms of g and h, and with t = g, to which h is added in x, for the trace
+     * of the strain, it is the sum of lambda t_i t_j^T, G g_j g_i^T, G g_i .
+     * g_j on the diagonal, and 2 G h_i h_j for x.
+     *
+     * @param products  of this pair.
+     */
+    static std::array<std::array<double, dim>, dim>
+    stiffness_of_pair(const double *products, const Elasticity &elasticity)
+    {
+      const double lame  = elasticity.lame_modulus;
+      const double shear = elasticity.shear_modulus;
+      const auto   at = [products](const unsigned int d, const unsigned int e) {
+        return products[n_of_node * d + e];
+      };
+      double scalar_product = at(0, 0);
+      for (unsigned int d = 1; d < dim; ++d)
+        scalar_product += at(d, d);
+
+      std::array<std::array<double, dim>, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          result[d][e] = lame * at(d, e) + shear * at(e, d);
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d][d] += shear * scalar_product;
+      if constexpr (Setting::has_hoop_strain)
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              result[d][0] += lame * at(d, dim);
+              result[0][d] += lame * at(dim, d);
+            }
+          result[0][0] += (lame + 2. * shear) * at(dim, dim);
+        }
+      return result;
     }
 
     const Law              &law;

@@ -341,24 +341,23 @@ namespace Sandglass
     }
 
     void
-    set_initial_state(const InitialStateFunction<dim>  &initial_state,
-                      Particles::ParticleAccessor<dim> &particle) const override
+    set_initial_state(const InitialStateFunction<dim> &initial_state,
+                      Parcel                          &particle) const override
     {
-      const auto              cell = particle.get_surrounding_cell();
       const InitialState<dim> initial =
-        initial_state(cell->active_cell_index(),
-                      particle.get_reference_location());
-      const auto state = particle.get_properties();
+        initial_state(particle.cell, particle.reference_point);
+      auto &state = particle.properties;
       std::copy_n(initial.stress.data(),
                   initial.stress.size(),
                   state.begin() + Layout::stress);
       state[Layout::density] = unstressed_density / initial.volume_ratio;
-      std::copy(initial.law_state.begin(),
-                initial.law_state.end(),
-                state.begin() + Layout::law_state);
-      particle.set_location(particle.get_location() + initial.displacement);
-      particle.set_reference_location(geometry.shape(cell->active_cell_index())
-                                        .to_reference(particle.get_location()));
+      if constexpr (Layout::n_law_numbers > 0)
+        std::copy(initial.law_state.begin(),
+                  initial.law_state.end(),
+                  state.begin() + Layout::law_state);
+      particle.location += initial.displacement;
+      particle.reference_point =
+        geometry.shape(particle.cell).to_reference(particle.location);
     }
 
     FedNumbers
@@ -399,10 +398,15 @@ namespace Sandglass
       const auto        &points    = initial_configuration.points;
       const unsigned int n         = points.size();
       const auto         law_state = law->initial_state();
-      for (const auto &cell : cloud.owned_cells())
+      const auto         is_filled = [this](const unsigned int cell) {
+        return scene.mesh.cells[cell].is_filled;
+      };
+      const auto &cells = cloud.blocks().cells();
+      cloud.change_blocks().reserve(
+        std::count_if(cells.begin(), cells.end(), is_filled), n);
+      for (const unsigned int index : cells)
         {
-          const unsigned int index = cell->active_cell_index();
-          if (!scene.mesh.cells[index].is_filled)
+          if (!is_filled(index))
             continue;
           for (unsigned int k = 0; k < n; ++k)
             {

@@ -186,8 +186,8 @@ namespace Sandglass
     relocate_strays() = 0;
 
     virtual void
-    set_initial_state(const InitialStateFunction<dim>  &initial_state,
-                      Particles::ParticleAccessor<dim> &particle) const = 0;
+    set_initial_state(const InitialStateFunction<dim> &initial_state,
+                      Parcel                          &particle) const = 0;
 
     /// Of the particles' present positions, in s.
     virtual double

@@ -93,9 +93,11 @@ namespace Sandglass
     const InitialStateFunction<dim>   &initial_state,
     const std::vector<WallForce<dim>> &wall_forces)
   {
-    cloud.edit([&](typename Cloud::Handler &handler) {
-      for (auto &particle : handler)
-        set_initial_state(initial_state, particle);
+    Blocks &blocks = cloud.change_blocks();
+    blocks.for_each([&](const ParticleSlot &slot) {
+      Parcel particle = blocks.parcel(slot);
+      set_initial_state(initial_state, particle);
+      blocks.overwrite(slot, particle);
     });
     relocate_strays();
     sum_over_particles();
