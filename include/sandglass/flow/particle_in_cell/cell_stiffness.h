@@ -84,21 +84,19 @@ namespace Sandglass
              NodalField<dim>          &product) const
     {
       double energy = 0.;
-      run_with_widest_vectors([&]() {
-        for_each_filled_cell(blocks, [&](const unsigned int cell) {
-          const auto   &nodes         = geometry.nodes(cell);
-          const OfNodes displacements = gather(field, nodes);
-          OfNodes       forces;
-          if constexpr (Setting::has_uniform_strain)
-            forces = forces_of_uniform_strain(geometry.shape(cell),
-                                              displacements,
-                                              elasticity(cell),
-                                              cells.dense_volume(cell));
-          else
-            matrices[cell].multiply(displacements[0].data(), forces[0].data());
-          energy += scalar_product(forces, displacements);
-          scatter(forces, nodes, product);
-        });
+      for_each_filled_cell_in_a_step(blocks, [&](const unsigned int cell) {
+        const auto   &nodes         = geometry.nodes(cell);
+        const OfNodes displacements = gather(field, nodes);
+        OfNodes       forces;
+        if constexpr (Setting::has_uniform_strain)
+          forces = forces_of_uniform_strain(geometry.shape(cell),
+                                            displacements,
+                                            elasticity(cell),
+                                            cells.dense_volume(cell));
+        else
+          matrices[cell].multiply(displacements[0].data(), forces[0].data());
+        energy += scalar_product(forces, displacements);
+        scatter(forces, nodes, product);
       });
       return energy;
     }
