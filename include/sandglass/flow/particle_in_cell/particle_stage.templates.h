@@ -117,9 +117,11 @@ namespace Sandglass
             control.automatic_time_step == 0.)
           {
             // A stiff spot that has come once comes again: after it the step
-            // recovers slowly.
-            constexpr double growth         = 1.005;
-            const double     last           = control.automatic_time_step;
+            // recovers slowly, by 2.5 % in a hundred steps.
+            constexpr double growth_of_step = 1.00025;
+            const double     growth =
+              std::pow(growth_of_step, parameters.automatic_step_interval());
+            const double last               = control.automatic_time_step;
             control.last_critical_time_step = find_critical_time_step();
             control.automatic_time_step =
               parameters.time_step_safety *

@@ -43,7 +43,7 @@ namespace Sandglass
   enum class RelieveOverfullCells
   {
     never,     ///< as in the paper
-    where_fed, ///< in silos that are fed, which may run for many contents
+    where_fed, ///< in silos that are kept full, while an outlet is open
     always
   };
 
@@ -62,7 +62,7 @@ namespace Sandglass
     double       end_time           = 2.5; ///< in s
     std::string  time_step_text     = "auto";
     double       time_step_safety   = 0.8;
-    unsigned int time_step_interval = 20;
+    unsigned int time_step_interval = 50;
     /// alpha of the mass matrix alpha M + (1 - alpha) M_I (Section 3)
     double               consistent_mass_share = 0.;
     VolumetricStrain     volumetric_strain     = VolumetricStrain::averaged;
