@@ -187,6 +187,21 @@ namespace Sandglass
 
 
 
+  namespace
+  {
+    /// Sums of equal masses and times, which come in an order that depends on
+    /// the ranks, are equal up to this share.
+    constexpr double rounding = 1e-9;
+
+    bool
+    has_emptied_by_half(const ResidenceCell &cell)
+    {
+      return cell.mass <= (0.5 + rounding) * cell.initial_mass;
+    }
+  } // namespace
+
+
+
   ResidenceSummary
   Residence::summary() const
   {
@@ -204,14 +219,14 @@ namespace Sandglass
         if (above == ResidenceRaster::nowhere || cell.initial_mass == 0. ||
             cells[above].initial_mass == 0.)
           continue;
-        const bool has_left = cell.mass < 0.5 * cell.initial_mass;
-        const bool has_left_above =
-          cells[above].mass < 0.5 * cells[above].initial_mass;
+        const bool has_left       = has_emptied_by_half(cell);
+        const bool has_left_above = has_emptied_by_half(cells[above]);
         if (!has_left && !has_left_above)
           continue;
         n_pairs += 1.;
         if (has_left &&
-            (!has_left_above || cell.mean_time() <= cells[above].mean_time()))
+            (!has_left_above ||
+             cell.mean_time() <= (1. + rounding) * cells[above].mean_time()))
           in_order += 1.;
       }
     return {all.mean_time(), all.spread(), in_order / n_pairs};

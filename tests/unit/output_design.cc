@@ -213,7 +213,9 @@ TEST(Residence, TimesByFirstPlace)
       EXPECT_EQ(summary.mean_time,
                 is_upper_first ? (2. * 2.25 + 4. * 0.5) / 6. : 2.25);
       if (!is_upper_first)
-        EXPECT_EQ(summary.spread, 0.75);
+        {
+          EXPECT_EQ(summary.spread, 0.75);
+        }
       EXPECT_EQ(summary.in_order_share, is_upper_first ? 0. : 1.);
     }
 }
