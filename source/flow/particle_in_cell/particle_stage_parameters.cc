@@ -5,6 +5,7 @@
 #include <sandglass/flow/particle_in_cell/particle_stage_parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace Sandglass
@@ -41,7 +42,7 @@ namespace Sandglass
                 1,
                 100000,
                 "Steps after which `auto` finds the critical step anew; with a "
-                "consistent mass share alpha (1 - alpha)^2 times as many.");
+                "consistent mass share alpha (1 - alpha)^3 times as many.");
     add_number(*this,
                "Consistent mass share",
                consistent_mass_share,
@@ -148,7 +149,7 @@ namespace Sandglass
     const double lumped_share = 1. - consistent_mass_share;
     return std::max(1u,
                     static_cast<unsigned int>(time_step_interval *
-                                              lumped_share * lumped_share));
+                                              std::pow(lumped_share, 3)));
   }
 
 
