@@ -66,10 +66,13 @@ add_library(sandglass_gmsh INTERFACE)
 target_include_directories(sandglass_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
 target_link_libraries(sandglass_gmsh INTERFACE ${GMSH_LIBRARY})
 
-if(SANDGLASS_BUILD_TESTS)
+if(SANDGLASS_BUILD_TESTS OR SANDGLASS_BUILD_BENCHMARKS)
   find_package(GTest QUIET)
   sandglass_require(GTest_FOUND
     "GoogleTest (or -DSANDGLASS_BUILD_TESTS=OFF)" libgtest-dev)
+endif()
+
+if(SANDGLASS_BUILD_TESTS)
   # Without numdiff the regression tests would run but compare nothing.
   find_program(NUMDIFF numdiff)
   mark_as_advanced(NUMDIFF)

@@ -1,6 +1,8 @@
 #ifndef sandglass_tests_footing_h
 #define sandglass_tests_footing_h
 
+#include <sandglass/material/circular_cone.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,16 +1,17 @@
 #ifndef sandglass_tests_solid_fixture_h
 #define sandglass_tests_solid_fixture_h
 
-#include <sandglass/choices.h>
 #include <sandglass/flow/make_flow.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 
-#include <cmath>
-#include <iomanip>
 #include <memory>
 #include <sstream>
 
 #include "box_mesh.h"
+
+// In solid_fixture.cc: to compile it takes two seconds.
+extern template class Sandglass::ParticleStage<
+  Sandglass::ParticleLayout<3, 6, 0>>;
 
 /**
  * A particle stage in space on a hand-made mesh, with all parameters at hand
@@ -26,11 +27,11 @@ struct SolidFixture
 
   struct ClearedParameters
   {
-    ClearedParameters()
-    {
-      dealii::ParameterAcceptor::clear();
-    }
+    ClearedParameters();
   };
+
+  SolidFixture();
+  ~SolidFixture();
 
   ClearedParameters                      cleared;
   Sandglass::MaterialParameters          material;
@@ -51,36 +52,11 @@ struct SolidFixture
 
   Stage &
   start(const Sandglass::Mesh<3> &mesh,
-        const MPI_Comm            communicator = MPI_COMM_WORLD)
-  {
-    stage.reset();
-    parameters.check();
-    scene = std::make_unique<Sandglass::Scene<3>>(
-      mesh,
-      walls,
-      Sandglass::Formulation::three_dimensions,
-      particles_per_cell,
-      gravity,
-      communicator);
-    stage.reset(&dynamic_cast<Stage &>(
-      *Sandglass::make_flow<3>(
-         *scene,
-         material,
-         walls,
-         {flow_parameters, parameters, updated_lagrangian, static_stage, feed},
-         no_log)
-         .release()));
-    return *stage;
-  }
+        const MPI_Comm            communicator = MPI_COMM_WORLD);
 
   /// Give start() a fixed step in s instead of the automatic one.
   void
-  set_time_step(const double time_step)
-  {
-    std::ostringstream text;
-    text << std::setprecision(17) << time_step;
-    parameters.time_step_text = text.str();
-  }
+  set_time_step(const double time_step);
 
   /// Call `function(id, position, properties)` for each particle. It may change
   /// nothing.
@@ -109,30 +85,11 @@ struct SolidFixture
 
   /// Of all particles of this rank, in kg m/s.
   dealii::Tensor<1, 3>
-  momentum() const
-  {
-    dealii::Tensor<1, 3> sum;
-    for_each_particle([&](auto, const auto &, const auto &state) {
-      for (unsigned int d = 0; d < 3; ++d)
-        sum[d] += state[Layout::mass] * state[Layout::velocity + d];
-    });
-    return sum;
-  }
+  momentum() const;
 
   /// About the origin, in kg m^2/s.
   dealii::Tensor<1, 3>
-  angular_momentum() const
-  {
-    dealii::Tensor<1, 3> sum;
-    for_each_particle([&](auto, const auto &position, const auto &state) {
-      dealii::Tensor<1, 3> velocity;
-      for (unsigned int d = 0; d < 3; ++d)
-        velocity[d] = state[Layout::velocity + d];
-      sum += state[Layout::mass] *
-             dealii::cross_product_3d(dealii::Tensor<1, 3>(position), velocity);
-    });
-    return sum;
-  }
+  angular_momentum() const;
 };
 
 #endif

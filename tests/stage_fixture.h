@@ -1,52 +1,38 @@
 #ifndef sandglass_tests_stage_fixture_h
 #define sandglass_tests_stage_fixture_h
 
-#include <sandglass/choices.h>
 #include <sandglass/flow/make_flow.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
-#include <sandglass/walls/section_tangent.h>
+#include <sandglass/material/elasticity.h>
 
-#include <cmath>
-#include <iomanip>
 #include <memory>
 #include <sstream>
 
 #include "rectangle_mesh.h"
 
 /// The name in the parameter file.
-inline const char *
-name_of(const Sandglass::ForceIntegration integration)
-{
-  return integration == Sandglass::ForceIntegration::cell ? "cell" :
-                                                            "particles";
-}
+const char *
+name_of(const Sandglass::ForceIntegration integration);
 
 
 
 /// What a particle carries with a law without state variables.
 using StageLayout = Sandglass::ParticleLayout<2, 4, 0>;
 
+// In stage_fixture.cc: to compile it takes two seconds.
+extern template class Sandglass::ParticleStage<StageLayout>;
+
 /// Since the start, in J; on one rank.
-inline double
-plastic_work(const Sandglass::ParticleStage<StageLayout> &stage)
-{
-  return stage.view().totals().dissipated_energy -
-         stage.wall_contact().friction_dissipation();
-}
+double
+plastic_work(const Sandglass::ParticleStage<StageLayout> &stage);
 
 /// All that has passed the outlet level, in kg.
-inline double
-discharged_mass(const Sandglass::FlowTotals &totals)
-{
-  return totals.mass_falling + totals.mass_removed;
-}
+double
+discharged_mass(const Sandglass::FlowTotals &totals);
 
 /// All that there was at the start, in kg.
-inline double
-mass_of_all(const Sandglass::FlowTotals &totals)
-{
-  return totals.mass_in_silo + discharged_mass(totals) + totals.mass_lost;
-}
+double
+mass_of_all(const Sandglass::FlowTotals &totals);
 
 /// Mean over some time of a wall's force on the material at one node.
 struct MeanWallForce
@@ -59,17 +45,11 @@ struct MeanWallForce
 
   /// Compression positive.
   double
-  normal_force() const
-  {
-    return -(force * normal);
-  }
+  normal_force() const;
 
   /// Along wall_tangent(normal).
   double
-  tangential_force() const
-  {
-    return force * Sandglass::wall_tangent(normal);
-  }
+  tangential_force() const;
 };
 
 /**
@@ -85,16 +65,11 @@ struct StageFixture
 
   struct ClearedParameters
   {
-    ClearedParameters()
-    {
-      dealii::ParameterAcceptor::clear();
-    }
+    ClearedParameters();
   };
 
-  StageFixture()
-  {
-    material.yield_cone = Sandglass::YieldCone::paper;
-  }
+  StageFixture();
+  ~StageFixture();
 
   ClearedParameters                  cleared;
   Sandglass::MaterialParameters      material;
@@ -117,44 +92,18 @@ struct StageFixture
   std::unique_ptr<Stage>               stage;
 
   Stage &
-  start(const Sandglass::Mesh<2> &mesh)
-  {
-    stage.reset();
-    parameters.check();
-    scene = std::make_unique<Sandglass::Scene<2>>(
-      mesh, walls, formulation, particles_per_cell, gravity, MPI_COMM_WORLD);
-    stage.reset(&dynamic_cast<Stage &>(*make_flow(*scene).release()));
-    last_records = stage->view().wall_records();
-    dissipation_watcher.watch(*stage);
-    return *stage;
-  }
+  start(const Sandglass::Mesh<2> &mesh);
 
   /// The particle stage of a scene, with what the fixture has.
   std::unique_ptr<Sandglass::DynamicFlow<2>>
-  make_flow(const Sandglass::Scene<2> &of_scene)
-  {
-    return Sandglass::make_flow<2>(
-      of_scene,
-      material,
-      walls,
-      {flow_parameters, parameters, updated_lagrangian, static_stage, feed},
-      no_log);
-  }
+  make_flow(const Sandglass::Scene<2> &of_scene);
 
   Sandglass::Elasticity
-  elasticity() const
-  {
-    return Sandglass::DruckerPrager(material).elasticity;
-  }
+  elasticity() const;
 
   /// Give start() a fixed step in s instead of the automatic one.
   void
-  set_time_step(const double time_step)
-  {
-    std::ostringstream text;
-    text << std::setprecision(17) << time_step;
-    parameters.time_step_text = text.str();
-  }
+  set_time_step(const double time_step);
 
   /// Call `function(position, index in the nodal fields)` for each cell's
   /// nodes.
@@ -210,52 +159,16 @@ struct StageFixture
   }
 
   Sandglass::BoundaryRole
-  role_of(const Sandglass::WallId wall) const
-  {
-    return scene->walls[wall].role;
-  }
+  role_of(const Sandglass::WallId wall) const;
 
   /// Mean forces of the walls since the last call, or the start;
   /// zero if no time has passed.
   std::vector<MeanWallForce>
-  take_mean_forces()
-  {
-    const Sandglass::WallRecords records = stage->view().wall_records();
-    const double                 time    = records.time - last_records.time;
-    std::vector<MeanWallForce>   forces;
-    for (unsigned int i = 0; i < records.records.size(); ++i)
-      {
-        const auto   &record = records.records[i];
-        MeanWallForce force{};
-        force.wall           = record.wall;
-        force.tributary_area = record.area;
-        for (unsigned int d = 0; d < 2; ++d)
-          {
-            force.position[d] = record.position[d];
-            force.normal[d]   = record.normal[d];
-            if (time > 0.)
-              force.force[d] =
-                (record.impulse[d] - last_records.records[i].impulse[d]) / time;
-          }
-        forces.push_back(force);
-      }
-    last_records = records;
-    return forces;
-  }
+  take_mean_forces();
 
   /// Whether all that particles carry is a number.
   bool
-  is_finite() const
-  {
-    bool result = true;
-    for_each_particle([&](auto, const auto &position, auto state) {
-      double sum = position[0] + position[1];
-      for (const double value : state)
-        sum += value;
-      result = result && std::isfinite(sum);
-    });
-    return result;
-  }
+  is_finite() const;
 
 private:
   /// Fails the test when dissipated energy comes back in a step.
@@ -263,31 +176,10 @@ private:
   {
   public:
     void
-    watch(Stage &stage)
-    {
-      this->stage        = &stage;
-      last               = stage.dissipation();
-      stage.step_watcher = this;
-    }
+    watch(Stage &stage);
 
     void
-    begin(const Sandglass::StepPart part) override
-    {
-      if (part != Sandglass::StepPart::done)
-        return;
-      // A stage that has settled starts anew.
-      if (stage->view().clock().step == 1)
-        last = 0.;
-      constexpr double rounding = 1e-12;
-      const double     now      = stage->dissipation();
-      // What is no number the stage itself has to find.
-      AssertThrow(!(now < (1. - rounding) * last),
-                  dealii::ExcMessage(
-                    describe(stage->view().clock()) +
-                    "dissipated energy has come back: " + std::to_string(last) +
-                    " J, then " + std::to_string(now)));
-      last = now;
-    }
+    begin(const Sandglass::StepPart part) override;
 
   private:
     const Stage *stage = nullptr;

@@ -1,13 +1,9 @@
 #ifndef sandglass_tests_static_fixture_h
 #define sandglass_tests_static_fixture_h
 
-#include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/fe/fe_values.h>
-
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
-#include <sandglass/scene/make_mesh.h>
-#include <sandglass/walls/section_tangent.h>
+#include <sandglass/material/elasticity.h>
+#include <sandglass/scene/scene_parameters.h>
 
 #include <memory>
 #include <sstream>
@@ -24,16 +20,11 @@ struct StaticFixture
 {
   struct ClearedParameters
   {
-    ClearedParameters()
-    {
-      dealii::ParameterAcceptor::clear();
-    }
+    ClearedParameters();
   };
 
-  StaticFixture()
-  {
-    material.yield_cone = Sandglass::YieldCone::paper;
-  }
+  StaticFixture();
+  ~StaticFixture();
 
   ClearedParameters                cleared;
   Sandglass::SceneParameters       silo; ///< for run_silo()
@@ -50,51 +41,26 @@ struct StaticFixture
 
   void
   run(const Sandglass::Mesh<2> &mesh,
-      const MPI_Comm            communicator = MPI_COMM_WORLD)
-  {
-    scene = std::make_unique<Sandglass::Scene<2>>(
-      mesh, walls, formulation, 4, gravity, communicator);
-    dealii::ConditionalOStream log(log_text);
-    Sandglass::StaticStage<2>  stage(*scene, material, walls, parameters, log);
-    state = stage.run();
-  }
+      const MPI_Comm            communicator = MPI_COMM_WORLD);
 
   void
-  run_silo()
-  {
-    run(Sandglass::mesh_silo<2>(silo));
-  }
+  run_silo();
 
   Sandglass::Elasticity
-  elasticity() const
-  {
-    return Sandglass::DruckerPrager(material).elasticity;
-  }
+  elasticity() const;
 
   unsigned int
-  n_points() const
-  {
-    return scene->mesh.cell_type == Sandglass::CellType::triangle ? 1 : 4;
-  }
+  n_points() const;
 
   Sandglass::BoundaryRole
-  role_of(const Sandglass::WallId wall) const
-  {
-    return scene->walls[wall].role;
-  }
+  role_of(const Sandglass::WallId wall) const;
 
   dealii::Point<2>
-  position_of(const Sandglass::WallForce<2> &force) const
-  {
-    return scene->mesh.vertices[force.vertex];
-  }
+  position_of(const Sandglass::WallForce<2> &force) const;
 
   /// In N, along wall_tangent(): upwards, or to the right on floors.
   static double
-  tangential_force(const Sandglass::WallForce<2> &force)
-  {
-    return force.force * Sandglass::wall_tangent(force.normal);
-  }
+  tangential_force(const Sandglass::WallForce<2> &force);
 
   /// Call `function(cell, cell_state)` for each filled cell.
   template <typename Function>
@@ -108,51 +74,16 @@ struct StaticFixture
 
   /// Mean over the cell's quadrature points.
   Sandglass::SymmetricComponents<4>
-  mean_stress(const Sandglass::StaticState<2>::CellState &cell_state) const
-  {
-    Sandglass::SymmetricComponents<4> sum =
-      Sandglass::SymmetricComponents<4>::Zero();
-    for (unsigned int q = 0; q < n_points(); ++q)
-      sum += cell_state.stress[q];
-    return sum / n_points();
-  }
+  mean_stress(const Sandglass::StaticState<2>::CellState &cell_state) const;
 
   /// Weight of the material, its mass integrated as by the static stage. In N,
   /// or N per metre of depth.
   double
-  weight() const
-  {
-    dealii::Quadrature<2> quadrature = dealii::QGaussSimplex<2>(1);
-    if (scene->mesh.cell_type == Sandglass::CellType::quadrilateral)
-      quadrature = dealii::QIterated<2>(dealii::QMidpoint<1>(), 2);
-    dealii::FEValues<2> fe_values(scene->mapping,
-                                  *scene->finite_element,
-                                  quadrature,
-                                  dealii::update_quadrature_points |
-                                    dealii::update_JxW_values);
-    const bool          is_axisymmetric =
-      formulation == Sandglass::Formulation::axisymmetric;
-    double volume = 0.;
-    for_each_cell([&](const auto &cell, const auto &) {
-      fe_values.reinit(cell);
-      for (const unsigned int q : fe_values.quadrature_point_indices())
-        volume += fe_values.JxW(q) * (is_axisymmetric ?
-                                        2. * dealii::numbers::PI *
-                                          fe_values.quadrature_point(q)[0] :
-                                        1.);
-    });
-    return -gravity[1] * material.density * volume;
-  }
+  weight() const;
 
   /// Upward force of all walls on the material, in N.
   double
-  lift() const
-  {
-    double sum = 0.;
-    for (const auto &force : state.wall_forces)
-      sum += force.force[1];
-    return sum;
-  }
+  lift() const;
 };
 
 #endif

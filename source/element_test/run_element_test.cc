@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_law.h>
 #include <sandglass/element_test/element_test.h>
 #include <sandglass/element_test/element_test_results.h>
 #include <sandglass/element_test/run_element_test.h>

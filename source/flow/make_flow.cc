@@ -1,4 +1,5 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/make_flow.h>
 #include <sandglass/flow/particle_in_cell/make_particle_stage.h>
 #include <sandglass/flow/updated_lagrangian/motion/updated_lagrangian_flow.h>

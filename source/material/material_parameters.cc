@@ -1,6 +1,7 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/base/number_text.h>
 #include <sandglass/base/parameter_entries.h>
+#include <sandglass/choices/choose_law.h>
 #include <sandglass/material/material_parameters.h>
 
 #include <set>

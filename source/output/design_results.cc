@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/design_results.h>
 #include <sandglass/output/replace_file.h>
 #include <sandglass/output/section_wall_gauge.h>

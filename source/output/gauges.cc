@@ -1,7 +1,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/continuum/symmetric_components.h>
 #include <sandglass/flow/in_space.h>
 #include <sandglass/output/gauges.h>

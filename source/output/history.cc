@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/history.h>
 #include <sandglass/output/silo_measures.h>
 #include <sandglass/scene/outlets.h>

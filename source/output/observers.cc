@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/closing_lines.h>
 #include <sandglass/output/observers.h>
 #include <sandglass/output/output_directory.h>

@@ -2,7 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/grid_fields.h>
 #include <sandglass/output/json_object.h>
 #include <sandglass/output/observers.h>

@@ -1,6 +1,6 @@
 #include <deal.II/base/numbers.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/reference_pressures.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/field_collector.h>
 #include <sandglass/output/residence.h>
 #include <sandglass/output/silo_measures.h>

@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/residence_raster.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/output/output_directory.h>
 #include <sandglass/run/checkpoint_writer.h>
 

@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/run/declared_parameters.h>
 #include <sandglass/run/fingerprint.h>
 

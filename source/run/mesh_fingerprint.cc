@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/run/mesh_fingerprint.h>
 
 #include <boost/functional/hash.hpp>

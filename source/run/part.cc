@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/make_flow.h>
 #include <sandglass/run/flow_state.h>
 #include <sandglass/run/part.h>

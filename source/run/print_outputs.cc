@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/all_laws.h>
 #include <sandglass/element_test/element_test_results.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/output/body_wall_tractions.h>

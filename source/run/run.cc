@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/all_kinematics.h>
 #include <sandglass/output/banner.h>
 #include <sandglass/run/run.h>
 #include <sandglass/run/simulation.h>

@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/run/simulation.h>
 #include <sandglass/run/state_at_rest.h>
 #include <sandglass/scene/make_mesh.h>

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/throw_law_failure.h>
 #include <sandglass/flow/updated_lagrangian/settlement_check.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>

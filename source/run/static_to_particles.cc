@@ -1,6 +1,6 @@
 #include <deal.II/fe/fe_simplex_p.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/run/static_to_particles.h>
 
 #include <numeric>

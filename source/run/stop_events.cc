@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/run/stop_events.h>
 
 #include <algorithm>

@@ -113,13 +113,7 @@ namespace Sandglass
   std::vector<MeshOutlet>
   mesh_outlets<3>(const Mesh<3> &mesh)
   {
-    std::vector<Mesh<3>::Face> faces;
-    std::copy_if(mesh.faces.begin(),
-                 mesh.faces.end(),
-                 std::back_inserter(faces),
-                 [](const auto &face) {
-                   return face.role == BoundaryRole::outlet;
-                 });
+    const auto faces = faces_with_role(mesh, BoundaryRole::outlet);
     // Lips are where floor or hopper end: at an upright wall a slot ends.
     const auto lips   = edges_of(mesh, [](const BoundaryRole role) {
       return role == BoundaryRole::floor || role == BoundaryRole::hopper ||

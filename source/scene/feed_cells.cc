@@ -1,4 +1,5 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/feed_cells.h>
 #include <sandglass/scene/mesh_faces.h>
 

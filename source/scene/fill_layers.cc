@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/feed_cells.h>
 #include <sandglass/scene/fill_layers.h>
 #include <sandglass/scene/mesh_faces.h>

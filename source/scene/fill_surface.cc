@@ -2,7 +2,7 @@
 
 #include <sandglass/base/exceptions.h>
 #include <sandglass/base/number_text.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/feed_cells.h>
 #include <sandglass/scene/fill_surface.h>
 #include <sandglass/scene/mesh_faces.h>

@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/hanging_vertex.h>
 #include <sandglass/scene/mesh_cells.h>
 

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/check_mesh.h>
 #include <sandglass/scene/fill_layers.h>
 #include <sandglass/scene/fill_surface.h>

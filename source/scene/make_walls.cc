@@ -1,7 +1,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/make_walls.h>
 #include <sandglass/walls/face_geometry.h>
 

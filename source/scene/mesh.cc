@@ -1,6 +1,6 @@
 #include <deal.II/base/exceptions.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/mesh.h>
 
 #include <algorithm>

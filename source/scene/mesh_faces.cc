@@ -1,9 +1,10 @@
 #include <deal.II/grid/reference_cell.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/mesh_faces.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace Sandglass
 {
@@ -51,6 +52,20 @@ namespace Sandglass
 
 
 
+  template <int dim>
+  std::vector<typename Mesh<dim>::Face>
+  faces_with_role(const Mesh<dim> &mesh, const BoundaryRole role)
+  {
+    std::vector<typename Mesh<dim>::Face> faces;
+    std::copy_if(mesh.faces.begin(),
+                 mesh.faces.end(),
+                 std::back_inserter(faces),
+                 [role](const auto &face) { return face.role == role; });
+    return faces;
+  }
+
+
+
   Tensor<1, 3>
   vector_area(const Mesh<3> &mesh, const Mesh<3>::Face &face)
   {
@@ -67,7 +82,9 @@ namespace Sandglass
 
 #define INSTANTIATE(dim)                                                    \
   template FaceKey<dim>      key_of<dim>(FaceKey<dim>, const unsigned int); \
-  template CellsAtFaces<dim> cells_at_faces<dim>(const Mesh<dim> &);
+  template CellsAtFaces<dim> cells_at_faces<dim>(const Mesh<dim> &);        \
+  template std::vector<typename Mesh<dim>::Face> faces_with_role<dim>(      \
+    const Mesh<dim> &, const BoundaryRole);
 
   SANDGLASS_FOR_EACH_DIMENSION(INSTANTIATE)
 } // namespace Sandglass

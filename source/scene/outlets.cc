@@ -1,6 +1,6 @@
 #include <deal.II/base/types.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/mesh_faces.h>
 #include <sandglass/scene/outlets.h>
 

@@ -3,7 +3,7 @@
 #include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/partition.h>
 #include <sandglass/scene/triangulate.h>
 

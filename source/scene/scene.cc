@@ -3,7 +3,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/make_walls.h>
 #include <sandglass/scene/scene.h>
 

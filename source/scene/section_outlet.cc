@@ -1,3 +1,4 @@
+#include <sandglass/scene/mesh_faces.h>
 #include <sandglass/scene/mesh_outlet.h>
 
 #include <algorithm>
@@ -49,13 +50,7 @@ namespace Sandglass
   std::vector<MeshOutlet>
   mesh_outlets<2>(const Mesh<2> &mesh)
   {
-    std::vector<Mesh<2>::Face> faces;
-    std::copy_if(mesh.faces.begin(),
-                 mesh.faces.end(),
-                 std::back_inserter(faces),
-                 [](const auto &face) {
-                   return face.role == BoundaryRole::outlet;
-                 });
+    const auto faces    = faces_with_role(mesh, BoundaryRole::outlet);
     const auto on_walls = vertices_of(mesh, [](const BoundaryRole role) {
       return is_wall(role) && role != BoundaryRole::outlet;
     });

@@ -1,7 +1,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/scene/mesh_faces.h>
 #include <sandglass/scene/triangulate.h>
 

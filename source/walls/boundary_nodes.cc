@@ -1,5 +1,6 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/walls/boundary_nodes.h>
 #include <sandglass/walls/face_geometry.h>
 #include <sandglass/walls/facets.h>

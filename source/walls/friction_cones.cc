@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/walls/friction_cones.h>
 
 #include <cmath>

@@ -8,6 +8,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/continuum/axisymmetric.h>
+#include <sandglass/continuum/plane_strain.h>
+
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <sandglass/continuum/solid.h>
+
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 

@@ -12,8 +12,8 @@ namespace
 {
   /// Cells in the half width. With 20, 28, 40 and 52 rings of squares the heap
   /// of the column as high as wide is 18, 16, 14 and 13 % lower than in
-  /// experiments, with 28 to 52 rings of triangles 15 to 17 %, whatever the time
-  /// step: on these the bound is met or missed by the rounding of a sum.
+  /// experiments, with 28 to 52 rings of triangles 15 to 17 %, whatever the
+  /// time step: on these the bound is met or missed by the rounding of a sum.
   /// Taller columns find no rest on the finest of these: their gate is as
   /// rough as the sand.
   unsigned int

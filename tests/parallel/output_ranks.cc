@@ -1,3 +1,4 @@
+#include <gtest/gtest.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -5,8 +6,9 @@
 #include <vtkXMLPUnstructuredGridReader.h>
 
 #include <cmath>
+#include <filesystem>
 
-#include "unit/output_silo.h"
+#include "output_silo.h"
 
 using namespace Sandglass;
 

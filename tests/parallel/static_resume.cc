@@ -1,6 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/run/flow_state.h>
+#include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>
 

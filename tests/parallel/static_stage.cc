@@ -1,5 +1,7 @@
 #include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+#include <sandglass/material/drucker_prager.h>
+#include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>
 

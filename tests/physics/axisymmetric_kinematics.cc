@@ -1,7 +1,10 @@
+#include <sandglass/continuum/axisymmetric.h>
 #include <sandglass/flow/particle_in_cell/particle_pass.h>
 #include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "stage_fixture.h"
 

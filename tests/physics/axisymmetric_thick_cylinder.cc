@@ -1,12 +1,16 @@
+#include <deal.II/fe/fe_values.h>
+
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_solver.h>
 
 #include <sandglass/continuum/axisymmetric.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "stage_fixture.h"

@@ -1,4 +1,5 @@
 #include <sandglass/output/section_wall_tractions.h>
+#include <sandglass/run/static_to_particles.h>
 #include <sandglass/scene/make_mesh.h>
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 // file's Setting: its variables go with the particles wherever these go, and
 // the state at rest and the critical step ask it.
 
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/particle_in_cell/explicit_particle_stage.h>
 #include <sandglass/flow/particle_in_cell/law_adapter.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "rectangle_mesh.h"

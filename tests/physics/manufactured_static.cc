@@ -1,7 +1,9 @@
-#include <sandglass/choices.h>
+#include <sandglass/continuum/axisymmetric.h>
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
-#include <sandglass/choices.h>
+#include <sandglass/continuum/axisymmetric.h>
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/newmark_motion.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,14 @@
-#include <sandglass/choices.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/newton_solver.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "../element_choice.h"
 #include "../rectangle_mesh.h"

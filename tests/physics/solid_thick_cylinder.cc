@@ -1,9 +1,12 @@
+#include <deal.II/fe/fe_values.h>
+
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_solver.h>
 
 #include <sandglass/continuum/solid.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 

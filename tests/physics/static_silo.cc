@@ -1,4 +1,5 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "all_settings.h"
 #include "random_engine.h"
 #include "stage_fixture.h"

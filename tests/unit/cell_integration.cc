@@ -1,7 +1,11 @@
+#include <sandglass/continuum/axisymmetric.h>
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/particles/cell_moments.h>
 #include <sandglass/particles/seeding.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "random_engine.h"
 #include "stage_fixture.h"

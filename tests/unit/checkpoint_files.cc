@@ -1,10 +1,14 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/run/checkpoint_files.h>
 
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
 #include <functional>
 
+#include "output_silo.h"
 #include "random_engine.h"
-#include "unit/output_silo.h"
 
 using namespace Sandglass;
 

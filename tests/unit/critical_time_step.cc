@@ -1,8 +1,12 @@
+#include <sandglass/continuum/axisymmetric.h>
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/particle_in_cell/critical_time_step.h>
 #include <sandglass/flow/particle_in_cell/law_adapter.h>
 #include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "stage_fixture.h"
 

@@ -1,3 +1,4 @@
+#include <sandglass/material/circular_cone.h>
 #include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,11 @@
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 #include <sandglass/run/checkpoint_files.h>
 
-#include "unit/output_silo.h"
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "output_silo.h"
 
 using namespace Sandglass;
 

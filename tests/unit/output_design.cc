@@ -6,10 +6,14 @@
 
 #include <boost/property_tree/json_parser.hpp>
 
-#include <cmath>
-#include <map>
+#include <gtest/gtest.h>
 
-#include "unit/output_silo.h"
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "output_silo.h"
 
 using namespace Sandglass;
 

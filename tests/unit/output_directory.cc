@@ -1,11 +1,15 @@
 #include <sandglass/base/exceptions.h>
 #include <sandglass/output/closing_lines.h>
+#include <sandglass/output/output_directory.h>
 #include <sandglass/output/own_files.h>
 #include <sandglass/output/replace_file.h>
 
+#include <gtest/gtest.h>
+
+#include <filesystem>
 #include <limits>
 
-#include "unit/output_silo.h"
+#include "output_silo.h"
 
 using namespace Sandglass;
 

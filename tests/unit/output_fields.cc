@@ -2,6 +2,7 @@
 #include <sandglass/output/grid_fields.h>
 #include <sandglass/output/particle_fields.h>
 
+#include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
@@ -10,9 +11,10 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "empty_flow.h"
-#include "unit/output_silo.h"
+#include "output_silo.h"
 
 using namespace Sandglass;
 

@@ -14,9 +14,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <sstream>
 
-#include "unit/output_silo.h"
+#include "output_silo.h"
 
 using namespace Sandglass;
 

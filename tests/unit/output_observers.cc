@@ -2,12 +2,16 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
 
 #include <sandglass/base/exceptions.h>
+#include <sandglass/output/output_directory.h>
 
 #include <boost/property_tree/json_parser.hpp>
 
-#include <cmath>
+#include <gtest/gtest.h>
 
-#include "unit/output_silo.h"
+#include <cmath>
+#include <filesystem>
+
+#include "output_silo.h"
 
 using namespace Sandglass;
 

@@ -1,11 +1,13 @@
 #include <sandglass/flow/in_space.h>
 #include <sandglass/output/section_wall_tractions.h>
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "unit/output_silo.h"
+#include "output_silo.h"
 
 using namespace Sandglass;
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "all_settings.h"
 #include "stage_fixture.h"
 
@@ -145,14 +147,16 @@ TEST(OverfullCells, AreRelievedWhereFed)
   StageFixture fixture;
   auto        &parameters = fixture.parameters;
   auto        &feed       = fixture.feed;
-  EXPECT_FALSE(relieves_overfull_cells(parameters, feed));
+  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, true));
   feed.kind = FeedKind::rain;
-  EXPECT_FALSE(relieves_overfull_cells(parameters, feed));
+  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, true));
   feed.kind = FeedKind::level;
-  EXPECT_TRUE(relieves_overfull_cells(parameters, feed));
+  EXPECT_TRUE(relieves_overfull_cells(parameters, feed, true));
+  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, false));
   parameters.relieve_overfull_cells = RelieveOverfullCells::never;
-  EXPECT_FALSE(relieves_overfull_cells(parameters, feed));
+  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, true));
   parameters.relieve_overfull_cells = RelieveOverfullCells::always;
   feed.kind                         = FeedKind::none;
-  EXPECT_TRUE(relieves_overfull_cells(parameters, feed));
+  EXPECT_TRUE(relieves_overfull_cells(parameters, feed, true));
+  EXPECT_TRUE(relieves_overfull_cells(parameters, feed, false));
 }

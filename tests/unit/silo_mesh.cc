@@ -1,4 +1,5 @@
 #include <sandglass/base/exceptions.h>
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/output/section_wall_lines.h>
 #include <sandglass/output/silo_measures.h>

@@ -1,9 +1,12 @@
-#include <sandglass/choices.h>
+#include <sandglass/continuum/axisymmetric.h>
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/updated_lagrangian/filled_grid.h>
 #include <sandglass/flow/updated_lagrangian/material_equilibrium.h>
+#include <sandglass/material/drucker_prager.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 
 #include "element_choice.h"

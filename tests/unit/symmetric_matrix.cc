@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "random_engine.h"
 
 using namespace Sandglass;

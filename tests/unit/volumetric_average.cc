@@ -1,6 +1,9 @@
+#include <sandglass/continuum/plane_strain.h>
 #include <sandglass/flow/particle_in_cell/volumetric_average.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "stage_fixture.h"
 

@@ -29,6 +29,20 @@ namespace Sandglass
 
     Lanes() = default;
 
+    // Copied as a vector: the compiler's own copy would go through memory in
+    // halves where a function's registers are wider than the file's.
+
+    Lanes(const Lanes &other)
+      : vector(other.vector)
+    {}
+
+    Lanes &
+    operator=(const Lanes &other)
+    {
+      vector = other.vector;
+      return *this;
+    }
+
     Lanes(const double value)
       : vector{value, value, value, value}
     {}

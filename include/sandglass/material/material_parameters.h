@@ -4,7 +4,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <sandglass/base/parameter_entries.h>
-#include <sandglass/choices.h>
+#include <sandglass/material/material_constants.h>
 
 #include <string>
 

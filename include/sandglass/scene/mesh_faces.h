@@ -28,6 +28,10 @@ namespace Sandglass
   CellsAtFaces<dim>
   cells_at_faces(const Mesh<dim> &mesh);
 
+  template <int dim>
+  std::vector<typename Mesh<dim>::Face>
+  faces_with_role(const Mesh<dim> &mesh, const BoundaryRole role);
+
   /// The vector area of a face in m^2, to the side from which its vertices are
   /// counterclockwise.
   dealii::Tensor<1, 3>

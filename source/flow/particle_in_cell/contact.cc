@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
 
 namespace Sandglass

@@ -3,7 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/gather.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
 
 #include <boost/serialization/array.hpp>

@@ -1,6 +1,6 @@
 // Friction of walls at nodes, with the springs that make it stick.
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/particle_in_cell/contact.h>
 
 #include <algorithm>

@@ -6,14 +6,15 @@ namespace Sandglass
 {
   bool
   relieves_overfull_cells(const ParticleStageParameters &parameters,
-                          const FeedParameters          &feed)
+                          const FeedParameters          &feed,
+                          const bool                     has_open_outlet)
   {
     switch (parameters.relieve_overfull_cells)
       {
         case RelieveOverfullCells::never:
           return false;
         case RelieveOverfullCells::where_fed:
-          return feed.kind == FeedKind::level;
+          return has_open_outlet && feed.kind == FeedKind::level;
         default:
           return true;
       }

@@ -1,6 +1,6 @@
 #include <deal.II/dofs/dof_tools.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/particle_in_cell/random_nodal_field.h>
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/in_space.h>
 #include <sandglass/flow/particle_in_cell/wall_impulse_sums.h>
 #include <sandglass/walls/face_geometry.h>

@@ -2,7 +2,8 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/consistent_mass.h>
 
 namespace Sandglass

@@ -7,7 +7,7 @@
 
 #include <deal.II/grid/reference_cell.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/element_grid.h>
 #include <sandglass/scene/triangulate.h>
 

@@ -1,4 +1,5 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/make_material_equilibrium.h>
 
 namespace Sandglass

@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/newmark_motion.h>
 #include <sandglass/material/law_failure.h>
 

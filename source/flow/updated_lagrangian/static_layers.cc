@@ -3,7 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/gather.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/match_vertices.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/flow/updated_lagrangian/vertex_values.h>

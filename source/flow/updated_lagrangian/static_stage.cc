@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/match_vertices.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 

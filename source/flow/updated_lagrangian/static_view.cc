@@ -2,10 +2,11 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/in_space.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 #include <sandglass/flow/updated_lagrangian/vertex_values.h>
+#include <sandglass/material/chosen_law.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -65,13 +66,7 @@ namespace Sandglass
   std::vector<StateVariable>
   StaticStage<dim>::state_variables() const
   {
-    std::vector<StateVariable> variables;
-    choose_law(material, [&variables](const auto law) {
-      using Law = typename decltype(law)::Type;
-      variables.assign(Law::state_variables.begin(),
-                       Law::state_variables.end());
-    });
-    return variables;
+    return state_variables_of_law(material);
   }
 
 

@@ -2,7 +2,7 @@
 
 #include <deal.II/numerics/data_out.h>
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/static_stage.h>
 
 namespace Sandglass

@@ -1,7 +1,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <sandglass/base/gather.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
 
 #include <boost/serialization/array.hpp>

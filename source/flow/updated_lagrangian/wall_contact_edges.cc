@@ -1,6 +1,6 @@
 // Friction where two supports hold a node in space.
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/dimensions.h>
 #include <sandglass/flow/updated_lagrangian/wall_contact.h>
 #include <sandglass/walls/coulomb.h>
 

@@ -2,6 +2,7 @@
 #define sandglass_flow_particle_in_cell_explicit_particle_stage_h
 
 #include <sandglass/flow/particle_in_cell/box_friction.h>
+#include <sandglass/flow/particle_in_cell/cell_sums_checkpoint.h>
 #include <sandglass/flow/particle_in_cell/critical_time_step.h>
 #include <sandglass/flow/particle_in_cell/feed.h>
 #include <sandglass/flow/particle_in_cell/law_interface.h>
@@ -10,9 +11,10 @@
 #include <sandglass/flow/particle_in_cell/particle_splitting.h>
 #include <sandglass/flow/particle_in_cell/particle_stage.h>
 #include <sandglass/flow/particle_in_cell/relocation.h>
+#include <sandglass/flow/particle_in_cell/seed_particles.h>
 #include <sandglass/flow/particle_in_cell/stage_totals.h>
 #include <sandglass/flow/throw_law_failure.h>
-#include <sandglass/particles/seeding.h>
+#include <sandglass/scene/mesh_faces.h>
 
 #include <algorithm>
 #include <functional>
@@ -80,16 +82,21 @@ namespace Sandglass
       , critical(*law, geometry, scene)
     {
       if (volumetric_average.is_on &&
-          relieves_overfull_cells(parameters, feed_parameters) &&
-          (can_flow_out() ||
-           parameters.relieve_overfull_cells == RelieveOverfullCells::always))
+          relieves_overfull_cells(
+            parameters,
+            feed_parameters,
+            !faces_with_role(scene.mesh, BoundaryRole::outlet).empty()))
         volumetric_average.overfull =
           std::make_unique<OverfullCells<Setting>>(*scene.nodes,
                                                    geometry,
                                                    cloud.blocks().cells(),
                                                    initial_configuration.points,
                                                    scene.gravity.norm());
-      seed_particles();
+      seed_particles(scene.mesh,
+                     initial_configuration,
+                     density,
+                     law->initial_state(),
+                     cloud);
       sum_over_particles();
       if (parameters.has_automatic_time_step)
         {
@@ -182,16 +189,6 @@ namespace Sandglass
     using Stage::scene;
     using Stage::time;
 
-    /// Whether an outlet is open, at least in part.
-    bool
-    can_flow_out() const
-    {
-      const auto &faces = scene.mesh.faces;
-      return std::any_of(faces.begin(), faces.end(), [](const auto &face) {
-        return face.role == BoundaryRole::outlet;
-      });
-    }
-
     void
     pass_over_particles()
     {
@@ -277,43 +274,27 @@ namespace Sandglass
     std::vector<double>
     pack_cell_sums() const override
     {
-      std::vector<double> packed;
-      for_each_filled_cell(cloud.blocks(), [&](const unsigned int cell) {
-        packed.push_back(cell);
-        const auto pack = [&packed, cell](const auto &cells) {
-          const auto &values = cells[cell].values;
-          packed.insert(packed.end(), values.begin(), values.end());
-        };
-        pack(nodal_sums.cells);
-        if (volumetric_average.cells)
-          pack(*volumetric_average.cells);
-        if (!law->has_constant_stiffness)
-          {
-            const Elasticity &stiffness =
-              critical.cell_stiffness().elasticity(cell);
-            packed.push_back(stiffness.lame_modulus);
-            packed.push_back(stiffness.shear_modulus);
-          }
-      });
-      return packed;
+      return Sandglass::pack_cell_sums(cloud.blocks(),
+                                       nodal_sums,
+                                       volumetric_average,
+                                       changing_stiffness());
     }
 
     void
     unpack_cell_sums(const std::vector<double> &packed) override
     {
-      for (auto next = packed.begin(); next != packed.end();)
-        {
-          const auto cell = static_cast<unsigned int>(*next++);
-          for_each_sums([&](auto &cells) { next = cells.unpack(cell, next); });
-          if (!law->has_constant_stiffness)
-            {
-              Elasticity stiffness(0., 0.);
-              stiffness.lame_modulus  = *next++;
-              stiffness.shear_modulus = *next++;
-              critical.cell_stiffness().set_elasticity(cell, stiffness);
-            }
-        }
+      Sandglass::unpack_cell_sums(packed,
+                                  nodal_sums,
+                                  volumetric_average,
+                                  changing_stiffness());
       scatter_sums();
+    }
+
+    /// Of the cells; nullptr if the law's is constant.
+    CellStiffness<Setting> *
+    changing_stiffness() const
+    {
+      return law->has_constant_stiffness ? nullptr : &critical.cell_stiffness();
     }
 
     FlowTotals
@@ -390,40 +371,6 @@ namespace Sandglass
         strays.add(*slot);
       strays.take_out(cloud.change_blocks());
       relocation.relocate(strays, cloud, time);
-    }
-
-    void
-    seed_particles()
-    {
-      const auto        &points    = initial_configuration.points;
-      const unsigned int n         = points.size();
-      const auto         law_state = law->initial_state();
-      const auto         is_filled = [this](const unsigned int cell) {
-        return scene.mesh.cells[cell].is_filled;
-      };
-      const auto &cells = cloud.blocks().cells();
-      cloud.change_blocks().reserve(
-        std::count_if(cells.begin(), cells.end(), is_filled), n);
-      for (const unsigned int index : cells)
-        {
-          if (!is_filled(index))
-            continue;
-          for (unsigned int k = 0; k < n; ++k)
-            {
-              Parcel parcel{};
-              parcel.cell            = index;
-              parcel.id              = n * index + k;
-              parcel.reference_point = points[k];
-              parcel.location = initial_configuration.position(parcel.id);
-              parcel.properties[Layout::mass] =
-                unstressed_density * initial_configuration.volume(parcel.id);
-              parcel.properties[Layout::density] = unstressed_density;
-              std::copy_n(law_state.begin(),
-                          Layout::n_law_numbers,
-                          parcel.properties.begin() + Layout::law_state);
-              cloud.insert(parcel);
-            }
-        }
     }
 
     double

@@ -1,7 +1,7 @@
 #ifndef sandglass_flow_particle_in_cell_make_particle_stage_templates_h
 #define sandglass_flow_particle_in_cell_make_particle_stage_templates_h
 
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_law.h>
 #include <sandglass/flow/particle_in_cell/explicit_particle_stage.h>
 #include <sandglass/flow/particle_in_cell/make_particle_stage.h>
 

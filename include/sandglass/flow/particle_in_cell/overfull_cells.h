@@ -11,10 +11,12 @@
 
 namespace Sandglass
 {
-  /// Whether the parameters ask for OverfullCells.
+  /// Whether the parameters ask for OverfullCells. What is fed to a silo
+  /// without an open outlet rests, so that cells don't gather particles.
   bool
   relieves_overfull_cells(const ParticleStageParameters &parameters,
-                          const FeedParameters          &feed);
+                          const FeedParameters          &feed,
+                          const bool                     has_open_outlet);
 
   /**
    * The rate in 1/s at which dense particles are compacted that fill a

@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <sandglass/flow/updated_lagrangian/equilibrium.h>
+#include <sandglass/material/state_variable.h>
 
 #include <boost/serialization/array_wrapper.hpp>
 

@@ -1,5 +1,5 @@
 #include <sandglass/base/exceptions.h>
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
 #include <sandglass/flow/updated_lagrangian/motion/motion_setting.h>
 
 #include <algorithm>

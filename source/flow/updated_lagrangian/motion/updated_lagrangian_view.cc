@@ -1,9 +1,9 @@
 // What others see of the flow by finite elements, and its checkpoints.
 
-#include <sandglass/choices.h>
 #include <sandglass/flow/in_space.h>
 #include <sandglass/flow/updated_lagrangian/motion/rezoning_options.h>
 #include <sandglass/flow/updated_lagrangian/motion/updated_lagrangian_flow.h>
+#include <sandglass/material/chosen_law.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
@@ -55,9 +55,7 @@ namespace Sandglass
     totals.mass_removed      = mass_removed;
     totals.mass_lost         = mass_lost;
     totals.dissipated_energy = dissipated_before + friction_dissipation;
-    choose_law(setting.material, [&totals](const auto law) {
-      totals.dissipation_can_fall = decltype(law)::Type::dissipation_can_fall;
-    });
+    totals.dissipation_can_fall = dissipation_can_fall(setting.material);
     if (!body)
       return totals;
 
@@ -135,13 +133,7 @@ namespace Sandglass
   std::vector<StateVariable>
   UpdatedLagrangianFlow::state_variables() const
   {
-    std::vector<StateVariable> variables;
-    choose_law(setting.material, [&variables](const auto law) {
-      using Law = typename decltype(law)::Type;
-      variables.assign(Law::state_variables.begin(),
-                       Law::state_variables.end());
-    });
-    return variables;
+    return state_variables_of_law(setting.material);
   }
 
 

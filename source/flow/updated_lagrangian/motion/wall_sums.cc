@@ -1,4 +1,4 @@
-#include <sandglass/choices.h>
+#include <sandglass/choices/choose_kinematics.h>
 #include <sandglass/flow/in_space.h>
 #include <sandglass/flow/updated_lagrangian/motion/rigid_walls.h>
 #include <sandglass/flow/updated_lagrangian/motion/wall_sums.h>
