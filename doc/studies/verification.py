@@ -179,17 +179,18 @@ def footing(rows):
 def rigid_footing(rows):
     lines = []
     for row in rows:
-        match = re.match(rf"(smooth|rough) footing, {NUMBER} degrees, "
-                         rf"{NUMBER} cells: N_c {NUMBER}, exact {NUMBER}",
-                         row["line"])
+        match = re.match(rf"(smooth|rough) footing, (\w+) flow, {NUMBER} "
+                         rf"degrees, {NUMBER} cells: N_c {NUMBER}, "
+                         rf"exact {NUMBER}", row["line"])
         if match:
-            footing, angle, n_cells, limit, exact = match.groups()
+            footing, flow, angle, n_cells, limit, exact = match.groups()
             difference = 100 * (float(limit) / float(exact) - 1)
-            lines.append([footing, f"{angle}°", n_cells,
+            lines.append([f"{angle}°", flow, footing, n_cells,
                           f"{float(limit):.2f}", f"{float(exact):.2f}",
                           f"{difference:+.1f}"])
-    return markdown(["footing", "φ", "elements in its half width", "N_c",
-                     "Prandtl", "difference, %"], lines)
+    return markdown(["φ", "plastic flow", "footing",
+                     "elements in its half width", "N_c", "Prandtl",
+                     "difference, %"], lines)
 
 
 def steady_shear(rows):
