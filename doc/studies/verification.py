@@ -1,5 +1,5 @@
-"""Observed orders of both stages and a footing's limit load, from what the tests
-print that compare with exact solutions."""
+"""Observed orders of both stages, limit loads of footings and steady shear, from
+what the tests print that compare with exact solutions."""
 import concurrent.futures
 import os
 import re
@@ -12,7 +12,7 @@ from tables import markdown
 
 NAME = "verification"
 TESTS = {"physics": "*ManufacturedStatic*:*ManufacturedMotionTest*:"
-                    "*CornerTractions*",
+                    "*CornerTractions*:*RigidFooting*:*EndlessFlow*",
          "validation": "*FiniteMotion*:*EvenPressure*:*FootingLimit*"}
 # In the order of the tests' parameters
 SETTINGS = ("plane, triangles", "plane, quadrilaterals",
@@ -176,6 +176,38 @@ def footing(rows):
                      for head, values in limits.items()])
 
 
+def rigid_footing(rows):
+    lines = []
+    for row in rows:
+        match = re.match(rf"(smooth|rough) footing, (\w+) flow, {NUMBER} "
+                         rf"degrees, {NUMBER} cells: N_c {NUMBER}, "
+                         rf"exact {NUMBER}", row["line"])
+        if match:
+            footing, flow, angle, n_cells, limit, exact = match.groups()
+            difference = 100 * (float(limit) / float(exact) - 1)
+            lines.append([f"{angle}°", flow, footing, n_cells,
+                          f"{float(limit):.2f}", f"{float(exact):.2f}",
+                          f"{difference:+.1f}"])
+    return markdown(["φ", "plastic flow", "footing",
+                     "elements in its half width", "N_c", "Prandtl",
+                     "difference, %"], lines)
+
+
+def steady_shear(rows):
+    errors = {}
+    for row in rows:
+        match = re.match(rf"(layer on a slope|tube), {NUMBER} cells: velocity "
+                         rf"error {NUMBER}", row["line"])
+        if match:
+            flow, n_cells, error = match.groups()
+            errors.setdefault(flow, {})[n_cells] = f"{100 * float(error):.2f}"
+    columns = ("8", "16")
+    return markdown(["flow"] + [f"{n_cells} cells across, %"
+                                for n_cells in columns],
+                    [[flow] + [values.get(column, "–") for column in columns]
+                     for flow, values in errors.items()])
+
+
 BOTTOMS = ("flat bottom", "hopper", "steepening hopper")
 
 
@@ -209,7 +241,8 @@ def corners(rows):
 def parts(rows):
     return {part.__name__.replace("_", "-"): part(rows)
             for part in (static, within_cells, finite, finite_stress,
-                         pressure, footing, corners)}
+                         pressure, footing, rigid_footing,
+                         steady_shear, corners)}
 
 
 def draw(_):
