@@ -152,6 +152,14 @@ def results():
     return rows
 
 
+def seconds_to_window_end(summary, silo):
+    """That the run has taken up to the end of the rate's window: of what goes
+    on for the walls' force, as large a share as of the time."""
+    share = WINDOW[1] * silo.time / silo.end_time
+    return (run_output.seconds_of(summary, "setup", "static") +
+            share * run_output.seconds_of(summary, "loop", "output"))
+
+
 def row_of(index, silo, directories):
     summaries = [run_output.read_summary(directory)
                  for directory in directories]
@@ -160,8 +168,7 @@ def row_of(index, silo, directories):
                            for summary in summaries),
            "particles": summaries[0]["particles"],
            "particle_steps": summaries[0]["particle_steps"],
-           "seconds": run_output.seconds_of(summaries[0],
-                                            *run_output.RUN_PARTS),
+           "seconds": seconds_to_window_end(summaries[0], silo),
            "rate": None, "rate_error": None, "force_error": None}
     if row["finished"]:
         rate, fine_rate = (flow_rate(directory, silo)
