@@ -52,9 +52,9 @@ namespace Sandglass
   UpdatedLagrangianFlow::totals() const
   {
     FlowTotals totals;
-    totals.mass_removed      = mass_removed;
-    totals.mass_lost         = mass_lost;
-    totals.dissipated_energy = dissipated_before + friction_dissipation;
+    totals.mass_removed         = mass_removed;
+    totals.mass_lost            = mass_lost;
+    totals.dissipated_energy    = dissipated_before + friction_dissipation;
     totals.dissipation_can_fall = dissipation_can_fall(setting.material);
     if (!body)
       return totals;
