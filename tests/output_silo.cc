@@ -24,13 +24,6 @@ namespace Sandglass
 
 
 
-  SmallSilo::ClearedParameters::ClearedParameters()
-  {
-    ParameterAcceptor::clear();
-  }
-
-
-
   SmallSilo::SmallSilo(const MPI_Comm communicator, const std::string &name)
     : communicator(communicator)
     , scene(parameters.scene)

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cleared_parameters.h"
+
 namespace Sandglass
 {
   /**
@@ -34,13 +36,6 @@ namespace Sandglass
     const MPI_Comm communicator;
 
   private:
-    /// The parameter classes add themselves to a global list; it is cleared so
-    /// that each silo can make its own.
-    struct ClearedParameters
-    {
-      ClearedParameters();
-    };
-
     ClearedParameters cleared;
 
   public:

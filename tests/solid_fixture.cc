@@ -8,13 +8,6 @@ template class Sandglass::ParticleStage<SolidFixture::Layout>;
 
 
 
-SolidFixture::ClearedParameters::ClearedParameters()
-{
-  dealii::ParameterAcceptor::clear();
-}
-
-
-
 SolidFixture::SolidFixture()  = default;
 SolidFixture::~SolidFixture() = default;
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "box_mesh.h"
+#include "cleared_parameters.h"
 
 // In solid_fixture.cc: to compile it takes two seconds.
 extern template class Sandglass::ParticleStage<
@@ -16,19 +17,11 @@ extern template class Sandglass::ParticleStage<
 /**
  * A particle stage in space on a hand-made mesh, with all parameters at hand
  * before start() makes the stage.
- *
- * The parameter classes add themselves to a global list; it is cleared so that
- * each test can make its own.
  */
 struct SolidFixture
 {
   using Layout = Sandglass::ParticleLayout<3, 6, 0>;
   using Stage  = Sandglass::ParticleStage<Layout>;
-
-  struct ClearedParameters
-  {
-    ClearedParameters();
-  };
 
   SolidFixture();
   ~SolidFixture();

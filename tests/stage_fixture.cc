@@ -61,13 +61,6 @@ MeanWallForce::tangential_force() const
 
 
 
-StageFixture::ClearedParameters::ClearedParameters()
-{
-  dealii::ParameterAcceptor::clear();
-}
-
-
-
 StageFixture::StageFixture()
 {
   material.yield_cone = YieldCone::paper;

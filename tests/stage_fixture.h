@@ -8,6 +8,7 @@
 #include <memory>
 #include <sstream>
 
+#include "cleared_parameters.h"
 #include "rectangle_mesh.h"
 
 /// The name in the parameter file.
@@ -55,18 +56,10 @@ struct MeanWallForce
 /**
  * A particle stage on a hand-made mesh, with all parameters at hand before
  * start() makes the stage.
- *
- * The parameter classes add themselves to a global list; it is cleared so that
- * each test can make its own.
  */
 struct StageFixture
 {
   using Stage = Sandglass::ParticleStage<StageLayout>;
-
-  struct ClearedParameters
-  {
-    ClearedParameters();
-  };
 
   StageFixture();
   ~StageFixture();

@@ -10,13 +10,6 @@
 
 using namespace Sandglass;
 
-StaticFixture::ClearedParameters::ClearedParameters()
-{
-  dealii::ParameterAcceptor::clear();
-}
-
-
-
 StaticFixture::StaticFixture()
 {
   material.yield_cone = YieldCone::paper;

@@ -8,21 +8,14 @@
 #include <memory>
 #include <sstream>
 
+#include "cleared_parameters.h"
 #include "rectangle_mesh.h"
 
 /**
  * The static stage on any mesh, with all parameters at hand before run().
- *
- * The parameter classes add themselves to a global list; it is cleared so that
- * each test can make its own.
  */
 struct StaticFixture
 {
-  struct ClearedParameters
-  {
-    ClearedParameters();
-  };
-
   StaticFixture();
   ~StaticFixture();
 

@@ -5,13 +5,6 @@
 
 using namespace Sandglass;
 
-UpdatedLagrangianFixture::ClearedParameters::ClearedParameters()
-{
-  dealii::ParameterAcceptor::clear();
-}
-
-
-
 UpdatedLagrangianFixture::UpdatedLagrangianFixture()  = default;
 UpdatedLagrangianFixture::~UpdatedLagrangianFixture() = default;
 

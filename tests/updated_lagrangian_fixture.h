@@ -6,17 +6,13 @@
 #include <memory>
 #include <sstream>
 
+#include "cleared_parameters.h"
 #include "rectangle_mesh.h"
 
 /// The flow by finite elements on any mesh, with all parameters at hand before
 /// start().
 struct UpdatedLagrangianFixture
 {
-  struct ClearedParameters
-  {
-    ClearedParameters();
-  };
-
   UpdatedLagrangianFixture();
   ~UpdatedLagrangianFixture();
 

@@ -14,6 +14,7 @@
 #include "../field_errors.h"
 #include "../irregular_square.h"
 #include "../manufactured_settlement.h"
+#include "cleared_parameters.h"
 
 using namespace Sandglass;
 
@@ -117,14 +118,6 @@ namespace
     /// Twice as fast as a wave crosses the body, so that inertia matters.
     static constexpr double omega = 60.;        // 1/s
     static constexpr double end   = 2. / omega; // s
-
-    struct ClearedParameters
-    {
-      ClearedParameters()
-      {
-        ParameterAcceptor::clear();
-      }
-    };
 
     ClearedParameters                              cleared;
     WallParameters                                 walls;

@@ -14,6 +14,7 @@
 #include "../field_errors.h"
 #include "../irregular_square.h"
 #include "../manufactured_settlement.h"
+#include "cleared_parameters.h"
 
 using namespace Sandglass;
 
@@ -96,14 +97,6 @@ namespace
       return exact.elasticity.stress(
         InPlaneResponse::increment(point.gradient).strain);
     }
-
-    struct ClearedParameters
-    {
-      ClearedParameters()
-      {
-        ParameterAcceptor::clear();
-      }
-    };
 
     ClearedParameters            cleared;
     WallParameters               walls;

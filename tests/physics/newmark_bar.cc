@@ -11,6 +11,7 @@
 
 #include "../element_choice.h"
 #include "../rectangle_mesh.h"
+#include "cleared_parameters.h"
 
 using namespace Sandglass;
 
@@ -122,14 +123,6 @@ namespace
       rectangle.bottom                 = BoundaryRole::axis;
       return rectangle.mesh();
     }
-
-    struct ClearedParameters
-    {
-      ClearedParameters()
-      {
-        ParameterAcceptor::clear();
-      }
-    };
 
     static constexpr double density = 1500., amplitude = 1e-7;
 

@@ -10,6 +10,7 @@
 
 #include "../element_choice.h"
 #include "../rectangle_mesh.h"
+#include "cleared_parameters.h"
 
 using namespace Sandglass;
 
@@ -49,14 +50,6 @@ namespace
       };
       return rectangle.mesh();
     }
-
-    struct ClearedParameters
-    {
-      ClearedParameters()
-      {
-        ParameterAcceptor::clear();
-      }
-    };
 
     const double                                   density = 1500.;
     const Tensor<1, 2>                             gravity{{0., -9.81}};

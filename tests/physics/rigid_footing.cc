@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "associated_drucker_prager.h"
+#include "cleared_parameters.h"
 #include "element_choice.h"
 #include "prescribed_displacement.h"
 #include "rectangle_mesh.h"
@@ -156,14 +157,6 @@ namespace
           supports.press(dofs[0]);
       });
     }
-
-    struct ClearedParameters
-    {
-      ClearedParameters()
-      {
-        ParameterAcceptor::clear();
-      }
-    };
 
     ClearedParameters                     cleared;
     WallParameters                        walls;

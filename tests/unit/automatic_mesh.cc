@@ -54,8 +54,8 @@ namespace
       return warnings;
     }
 
-    StageFixture::ClearedParameters cleared;
-    SceneParameters                 silo;
+    ClearedParameters cleared;
+    SceneParameters   silo;
   };
 
 

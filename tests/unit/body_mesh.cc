@@ -16,19 +16,13 @@
 #include <cmath>
 #include <map>
 
+#include "cleared_parameters.h"
+
 using namespace Sandglass;
 
 namespace
 {
   using Silo = SceneParameters;
-
-  struct ClearedParameters
-  {
-    ClearedParameters()
-    {
-      dealii::ParameterAcceptor::clear();
-    }
-  };
 
   /// A silo 1 m wide with an outlet 0.3 m wide.
   struct Kind

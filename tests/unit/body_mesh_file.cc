@@ -11,19 +11,13 @@
 #include <map>
 #include <sstream>
 
+#include "cleared_parameters.h"
+
 using namespace Sandglass;
 
 namespace
 {
   using Silo = SceneParameters;
-
-  struct ClearedParameters
-  {
-    ClearedParameters()
-    {
-      dealii::ParameterAcceptor::clear();
-    }
-  };
 
   /// A quarter of a box silo, which tests change before they write and read it
   /// in Gmsh's format 2.2.

@@ -48,8 +48,8 @@ namespace
       return make_mesh<2>(silo, MPI_COMM_SELF, nullptr);
     }
 
-    StageFixture::ClearedParameters cleared;
-    SceneParameters                 silo;
+    ClearedParameters cleared;
+    SceneParameters   silo;
   };
 } // namespace
 

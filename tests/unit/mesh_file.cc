@@ -18,9 +18,9 @@ namespace
   /// A scene's parameters, which are added to a cleared global list.
   struct Parameters
   {
-    StageFixture::ClearedParameters cleared;
-    SceneParameters                 scene;
-    WallParameters                  walls;
+    ClearedParameters cleared;
+    SceneParameters   scene;
+    WallParameters    walls;
   };
 
   Mesh<2>

@@ -59,8 +59,8 @@ TEST_P(MeshFileFaults, AreRefusedByNameAndPlace)
   const Fault &fault = GetParam();
   MeshFile     file;
   fault.make(file);
-  StageFixture::ClearedParameters cleared;
-  SceneParameters                 scene;
+  ClearedParameters cleared;
+  SceneParameters   scene;
   scene.formulation = fault.formulation;
   scene.cell_type   = fault.cell_type;
   try

@@ -13,6 +13,8 @@
 #include <tuple>
 #include <utility>
 
+#include "cleared_parameters.h"
+
 using namespace Sandglass;
 
 namespace
@@ -22,14 +24,6 @@ namespace
   class Section
   {
   public:
-    struct ClearedParameters
-    {
-      ClearedParameters()
-      {
-        ParameterAcceptor::clear();
-      }
-    };
-
     ClearedParameters  cleared;
     WallParameters     walls;
     MaterialParameters material;

@@ -78,9 +78,9 @@ namespace
       });
     }
 
-    StageFixture::ClearedParameters cleared;
-    SceneParameters                 silo;
-    WallParameters                  walls;
+    ClearedParameters cleared;
+    SceneParameters   silo;
+    WallParameters    walls;
   };
 } // namespace
 

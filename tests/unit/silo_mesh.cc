@@ -53,9 +53,9 @@ namespace
       return silo.hopper_height == 0.;
     }
 
-    StageFixture::ClearedParameters cleared;
-    SceneParameters                 silo;
-    WallParameters                  walls;
+    ClearedParameters cleared;
+    SceneParameters   silo;
+    WallParameters    walls;
   };
 } // namespace
 
@@ -167,8 +167,8 @@ TEST_P(WholeSilo, SidesOfTheWalls)
 
 TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
 {
-  StageFixture::ClearedParameters cleared;
-  SceneParameters                 silo;
+  ClearedParameters cleared;
+  SceneParameters   silo;
   silo.cell_type    = CellType::quadrilateral;
   silo.is_symmetric = false;
   silo.element_size = 0.1;
@@ -189,8 +189,8 @@ TEST(CentredSilo, ACentredMeshOfQuadrilateralsIsItsOwnImage)
 // Also where it slopes by little or is eccentric.
 TEST(Hopper, QuadrilateralsHaveNoAcuteCorners)
 {
-  StageFixture::ClearedParameters cleared;
-  SceneParameters                 silo;
+  ClearedParameters cleared;
+  SceneParameters   silo;
   silo.cell_type = CellType::quadrilateral;
   for (const bool is_half : {true, false})
     for (const double height : {0.1014, 0.3, 0.5, 0.65, 1.1})
@@ -248,8 +248,8 @@ namespace
 
 TEST(GradedSilo, CellsGrowFromTheLips)
 {
-  StageFixture::ClearedParameters cleared;
-  SceneParameters                 silo;
+  ClearedParameters cleared;
+  SceneParameters   silo;
   silo.element_size        = 0.1;
   silo.outlet_element_size = 0.0125;
   for (const bool is_symmetric : {true, false})
@@ -273,8 +273,8 @@ TEST(GradedSilo, CellsGrowFromTheLips)
 
 TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
 {
-  StageFixture::ClearedParameters cleared;
-  SceneParameters                 silo;
+  ClearedParameters cleared;
+  SceneParameters   silo;
   silo.element_size  = 0.1;
   const Mesh<2> mesh = mesh_silo<2>(silo);
 
@@ -289,8 +289,8 @@ TEST(GradedSilo, TheSameSizeEverywhereIsTheMeshWithoutIt)
 
 TEST(GradedSilo, ParticlesAreSplitThereAndNotElsewhere)
 {
-  StageFixture::ClearedParameters cleared;
-  SceneParameters                 silo;
+  ClearedParameters cleared;
+  SceneParameters   silo;
   silo.element_size = 0.1;
   for (const double size : {0., 0.025})
     for (const unsigned int seed : {1, 2, 3})
