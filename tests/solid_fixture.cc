@@ -1,6 +1,6 @@
 #include "solid_fixture.h"
 
-#include <iomanip>
+#include "time_step_text.h"
 
 using namespace Sandglass;
 
@@ -40,9 +40,7 @@ SolidFixture::start(const Mesh<3> &mesh, const MPI_Comm communicator)
 void
 SolidFixture::set_time_step(const double time_step)
 {
-  std::ostringstream text;
-  text << std::setprecision(17) << time_step;
-  parameters.time_step_text = text.str();
+  parameters.time_step_text = time_step_text(time_step);
 }
 
 

@@ -4,7 +4,8 @@
 #include <sandglass/walls/section_tangent.h>
 
 #include <cmath>
-#include <iomanip>
+
+#include "time_step_text.h"
 
 using namespace Sandglass;
 
@@ -111,9 +112,7 @@ StageFixture::elasticity() const
 void
 StageFixture::set_time_step(const double time_step)
 {
-  std::ostringstream text;
-  text << std::setprecision(17) << time_step;
-  parameters.time_step_text = text.str();
+  parameters.time_step_text = time_step_text(time_step);
 }
 
 

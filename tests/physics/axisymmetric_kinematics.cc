@@ -93,7 +93,7 @@ namespace
       Strays<StageLayout> strays;
       fixture.stage->edit_blocks([&](auto &blocks) {
         ParticlePass<CellSetting, DruckerPrager, true>(
-          geometry, update, StressIntegration::start_of_step, time_step)
+          geometry, update, StressIntegration::start_of_step, 0., time_step)
           .run(blocks,
                fixture.stage->nodal_fields().acceleration, // none yet
                velocity,

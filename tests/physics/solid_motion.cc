@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <iostream>
+#include <random>
 
+#include "random_engine.h"
 #include "solid_fixture.h"
 
 using namespace Sandglass;
@@ -108,6 +110,69 @@ TEST_P(SolidMotion, InnerForcesLeaveMomentumAndAngularMomentum)
   std::cout << "change of angular momentum " << change << std::endl;
   // As exact as the mass matrix is solved.
   EXPECT_LT(change, 1e-10);
+}
+
+// Velocities that change from particle to particle, of a block without stress:
+// in a step a share of PIC takes as large a share of what the nodes don't see,
+// and nothing of the block's motion.
+TEST_P(SolidMotion, PicTakesWhatNodesDontSee)
+{
+  constexpr double share = 0.2;
+  Box              box;
+  box.cell_type = GetParam();
+  box.n         = {{6, 6, 6}};
+  box.is_filled = [](const Point<3> &p) {
+    return (p - Point<3>(0.5, 0.5, 0.5)).norm() < 0.3;
+  };
+  fixture.gravity                          = Tensor<1, 3>();
+  fixture.parameters.consistent_mass_share = 1.;
+  fixture.parameters.pic_share             = share;
+  fixture.set_time_step(1e-9);
+  fixture.start(box.mesh());
+  const auto motion = [](const Point<3> &position) {
+    return Tensor<1, 3>({0.2, 0.1, -0.1}) +
+           cross_product_3d(Tensor<1, 3>({0.3, -0.5, 0.4}), position);
+  };
+  const auto velocity_of = [](const auto &state) {
+    Tensor<1, 3> velocity;
+    for (unsigned int d = 0; d < 3; ++d)
+      velocity[d] = state[Layout::velocity + d];
+    return velocity;
+  };
+  const auto unseen = [&]() {
+    double sum = 0.;
+    fixture.for_each_particle([&](auto, const auto &position, auto state) {
+      sum += (velocity_of(state) - motion(position)).norm_square();
+    });
+    return std::sqrt(sum);
+  };
+
+  for (const bool is_noisy : {false, true})
+    {
+      std::mt19937                     random = random_engine();
+      std::normal_distribution<double> noise;
+      fixture.change_particles([&](auto, const auto &position, auto state) {
+        for (unsigned int d = 0; d < 3; ++d)
+          state[Layout::velocity + d] =
+            motion(position)[d] + (is_noisy ? noise(random) : 0.);
+      });
+      const double           before   = unseen();
+      const Tensor<1, 3>     momentum = fixture.momentum();
+      constexpr unsigned int n_steps  = 20;
+      for (unsigned int step = 0; step < n_steps; ++step)
+        fixture.stage->step();
+      EXPECT_LT((fixture.momentum() - momentum).norm() / momentum.norm(), 1e-9);
+      if (is_noisy)
+        {
+          // What is left is what the nodes see: they are fewer.
+          EXPECT_LT(unseen(), 0.7 * before);
+          EXPECT_GT(unseen(), std::pow(1. - share, n_steps) * before);
+        }
+      else
+        {
+          EXPECT_LT(unseen(), 1e-6);
+        }
+    }
 }
 
 // On a floor that is tilted in a direction askew to the grid.

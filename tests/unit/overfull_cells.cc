@@ -55,6 +55,7 @@ namespace
                                                  geometry,
                                                  blocks.cells(),
                                                  points,
+                                                 fixture.material.density,
                                                  fixture.gravity.norm());
       sums.cells.compute(blocks);
       if (average.cells)
@@ -125,38 +126,80 @@ TYPED_TEST(OverfullCellsTest, OverfullCellsAreCompacted)
 
 
 
-// Who carries no stress can't be pushed out.
-TYPED_TEST(OverfullCellsTest, SeparatedParticlesDontCount)
+// Separated particles count as if they were dense, and become denser.
+TYPED_TEST(OverfullCellsTest, SeparatedParticlesAreCompacted)
 {
-  this->start(1.5);
+  constexpr double filling = 1.5;
+  this->fixture.parameters.relieve_overfull_cells =
+    RelieveOverfullCells::always;
+  this->start(filling);
+  const double loose = 0.5 * this->fixture.material.density;
   this->fixture.change_particles([&](auto, const auto &, auto state) {
-    state[StageLayout::density] = 0.5 * this->fixture.material.density;
+    state[StageLayout::density] = loose;
   });
   this->with_average([&](const auto &average) {
-    this->fixture.for_each_node([&](const Point<2> &, const unsigned int node) {
-      EXPECT_EQ(average.overfull->filling(node), 0.);
-      EXPECT_EQ(average.overfull->compaction_rate(node), 0.);
-    });
+    for (const auto &cell : this->fixture.stage->particles().owned_cells())
+      {
+        const double area = cell->n_vertices() == 4 ? 1. / 16. : 1. / 32.;
+        const double rate =
+          average.separated_compaction(cell->active_cell_index());
+        if (cell->center()[0] > 0.75)
+          {
+            EXPECT_NEAR(rate / relief_rate(filling, std::sqrt(area), 9.81),
+                        1.,
+                        1e-12);
+          }
+        else if (cell->center()[0] < 0.25)
+          {
+            EXPECT_EQ(rate, 0.);
+          }
+      }
   });
+  this->fixture.stage->step();
+  // Above the cells at the floor, which holds what falls.
+  this->fixture.for_each_particle(
+    [&](const auto &, const auto &position, const auto &state) {
+      if (position[1] > 0.3 && position[0] > 0.8)
+        {
+          EXPECT_GT(state[StageLayout::density], loose * (1. + 1e-6));
+        }
+      else if (position[1] > 0.3 && position[0] < 0.2)
+        {
+          EXPECT_NEAR(state[StageLayout::density] / loose, 1., 1e-9);
+        }
+    });
 }
 
 
 
-TEST(OverfullCells, AreRelievedWhereFed)
+TEST(OverfullCells, AreRelievedWhereTheParametersSay)
 {
   StageFixture fixture;
-  auto        &parameters = fixture.parameters;
-  auto        &feed       = fixture.feed;
-  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, true));
+  auto        &parameters  = fixture.parameters;
+  auto        &feed        = fixture.feed;
+  const auto   is_relieved = [&](const bool is_in_unequal_hexahedra,
+                               const bool has_open_outlet) {
+    return relieves_overfull_cells(parameters,
+                                   feed,
+                                   is_in_unequal_hexahedra,
+                                   has_open_outlet);
+  };
+  EXPECT_TRUE(is_relieved(true, true));
+  EXPECT_FALSE(is_relieved(true, false));
+  EXPECT_FALSE(is_relieved(false, true));
   feed.kind = FeedKind::rain;
-  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, true));
+  EXPECT_FALSE(is_relieved(false, true));
   feed.kind = FeedKind::level;
-  EXPECT_TRUE(relieves_overfull_cells(parameters, feed, true));
-  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, false));
+  EXPECT_TRUE(is_relieved(false, true));
+  EXPECT_FALSE(is_relieved(false, false));
+  parameters.relieve_overfull_cells = RelieveOverfullCells::where_fed;
+  EXPECT_TRUE(is_relieved(false, true));
+  EXPECT_FALSE(is_relieved(false, false));
+  feed.kind = FeedKind::none;
+  EXPECT_FALSE(is_relieved(true, true));
   parameters.relieve_overfull_cells = RelieveOverfullCells::never;
-  EXPECT_FALSE(relieves_overfull_cells(parameters, feed, true));
+  EXPECT_FALSE(is_relieved(true, true));
   parameters.relieve_overfull_cells = RelieveOverfullCells::always;
-  feed.kind                         = FeedKind::none;
-  EXPECT_TRUE(relieves_overfull_cells(parameters, feed, true));
-  EXPECT_TRUE(relieves_overfull_cells(parameters, feed, false));
+  EXPECT_TRUE(is_relieved(false, true));
+  EXPECT_TRUE(is_relieved(false, false));
 }

@@ -254,7 +254,7 @@ TYPED_TEST(ParticleSplittingTest, LeavesOthersAlone)
 TYPED_TEST(ParticleSplittingTest, IsNeededWhereCellsDifferInVolume)
 {
   EXPECT_FALSE(
-    needs_splitting(this->fixture.scene->mesh, *this->initial_configuration));
+    cells_differ_much(this->fixture.scene->mesh, *this->initial_configuration));
 
   Mesh<2> mesh = this->fixture.scene->mesh;
   for (auto &vertex : mesh.vertices)
@@ -266,7 +266,7 @@ TYPED_TEST(ParticleSplittingTest, IsNeededWhereCellsDifferInVolume)
     const InitialConfiguration<typename TypeParam::Kinematics,
                                TypeParam::cell_type>
       configuration(*this->fixture.scene, geometry);
-    return needs_splitting(mesh, configuration);
+    return cells_differ_much(mesh, configuration);
   };
   EXPECT_TRUE(needs_it());
 

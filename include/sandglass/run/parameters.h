@@ -52,6 +52,11 @@ namespace Sandglass
                          "allowed is 0 unless the formulation is plane strain");
       if (scene.formulation == Formulation::three_dimensions)
         check_in_space();
+      else if (particle_stage.pic_share.value_or(0.) > 0.)
+        throw InputError("Particle stage",
+                         "PIC share",
+                         std::to_string(*particle_stage.pic_share),
+                         "two dimensions allow auto and 0");
       if (scene.is_filled_in_layers && !static_stage.is_enabled)
         throw InputError("Scene",
                          "Filling",

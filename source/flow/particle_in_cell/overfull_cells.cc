@@ -7,7 +7,8 @@ namespace Sandglass
   bool
   relieves_overfull_cells(const ParticleStageParameters &parameters,
                           const FeedParameters          &feed,
-                          const bool                     has_open_outlet)
+                          const bool is_in_unequal_hexahedra,
+                          const bool has_open_outlet)
   {
     switch (parameters.relieve_overfull_cells)
       {
@@ -15,6 +16,9 @@ namespace Sandglass
           return false;
         case RelieveOverfullCells::where_fed:
           return has_open_outlet && feed.kind == FeedKind::level;
+        case RelieveOverfullCells::automatic:
+          return has_open_outlet &&
+                 (feed.kind == FeedKind::level || is_in_unequal_hexahedra);
         default:
           return true;
       }

@@ -113,16 +113,31 @@ namespace Sandglass
       *this,
       "Relieve overfull cells",
       relieve_overfull_cells,
-      {{"never", RelieveOverfullCells::never},
+      {{"auto", RelieveOverfullCells::automatic},
+       {"never", RelieveOverfullCells::never},
        {"where fed", RelieveOverfullCells::where_fed},
        {"always", RelieveOverfullCells::always}},
       "Whether particles are compacted where they fill their cells too much, "
       "so that pressure drives out what has gathered there: never (paper); "
       "where fed, which is in silos that are kept full (Feed/Kind = level) "
       "while an outlet is open, since their slow corners fill up over many "
-      "contents; or always, with which overfull material without an outlet "
+      "contents; auto, which is also in hexahedra whose volumes differ by more "
+      "than a factor of twelve while an outlet is open, since the flow below a "
+      "crater fills up in them; or always, with which overfull material without an outlet "
       "doesn't come to rest. It takes the averaged Volumetric strain, and a law "
       "that follows it (all but Lade's).");
+    add_automatic_number(
+      *this,
+      "PIC share",
+      pic_share,
+      Bounds::at_least_below(0., 1.),
+      "1",
+      "Share in each step that a particle's velocity takes of the velocity with "
+      "which it moves (PIC) instead of its own (paper: 0). Without it light "
+      "particles among heavy ones gather velocities that their nodes don't "
+      "see, and are thrown out. auto is 0.003 in hexahedra whose volumes differ "
+      "by more than a factor of twelve, and else 0; in two dimensions no other "
+      "is allowed.");
     add_selection<OnLostParticle>(
       *this,
       "On lost particle",

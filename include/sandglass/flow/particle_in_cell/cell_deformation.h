@@ -7,11 +7,12 @@
 
 namespace Sandglass
 {
-  /// The volumetric rate that a cell's dense particles take on.
+  /// The volumetric rate that a cell's particles take on.
   struct AveragedRate
   {
-    double rate;             ///< in 1/s
-    double smallest_density; ///< of these particles, in kg/m^3
+    double rate;                 ///< of dense ones, in 1/s
+    double separated_compaction; ///< of the others besides their own, in 1/s
+    double smallest_density;     ///< of the dense ones, in kg/m^3
   };
 
   /**
@@ -62,7 +63,11 @@ namespace Sandglass
       if constexpr (Setting::has_uniform_strain)
         {
           auto increment = increment_of(Vector<double>(), 0.);
-          uniform.own    = deformation(increment);
+          if constexpr (is_averaged)
+            if (averaged.separated_compaction > 0.)
+              increment.add_volume_change(-time_step *
+                                          averaged.separated_compaction);
+          uniform.own = deformation(increment);
           if constexpr (is_averaged)
             {
               increment.add_volume_change(time_step * averaged.rate -
@@ -99,7 +104,7 @@ namespace Sandglass
               increment.add_volume_change(
                 select(is_dense(state, averaged.smallest_density),
                        Lanes(time_step * averaged.rate),
-                       own) -
+                       own - Lanes(time_step * averaged.separated_compaction)) -
                 own);
             }
           return deformation(increment);

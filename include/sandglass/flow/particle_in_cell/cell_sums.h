@@ -95,6 +95,18 @@ namespace Sandglass
       return result;
     }
 
+    /// Of all particles, in kg.
+    Number
+    total_mass() const
+    {
+      Number result(0.);
+      for_each_mass(
+        [&](const unsigned int i, const unsigned int j, const Number &entry) {
+          result += i == j ? entry : 2. * entry;
+        });
+      return result;
+    }
+
     /// The consistent mass matrix times nodal values.
     OfNodes
     mass_times(const OfNodes &nodal_values) const

@@ -52,6 +52,9 @@ namespace Sandglass
       , initial_configuration(scene,
                               geometry,
                               feed_parameters.kind != FeedKind::none)
+      , has_unequal_cells(cells_differ_much(scene.mesh, initial_configuration))
+      , pic_share(parameters.pic_share.value_or(
+          is_in_unequal_hexahedra() ? automatic_pic_share : 0.))
       , unstressed_density(density)
       , law(make_law(geometry))
       , nodal_sums(geometry,
@@ -71,7 +74,7 @@ namespace Sandglass
                   density,
                   law->loosest_density(),
                   parameters.split_particles == SplitParticles::where_needed &&
-                    needs_splitting(scene.mesh, initial_configuration))
+                    has_unequal_cells)
       , feed(scene,
              initial_configuration,
              density,
@@ -85,12 +88,14 @@ namespace Sandglass
           relieves_overfull_cells(
             parameters,
             feed_parameters,
+            is_in_unequal_hexahedra(),
             !faces_with_role(scene.mesh, BoundaryRole::outlet).empty()))
         volumetric_average.overfull =
           std::make_unique<OverfullCells<Setting>>(*scene.nodes,
                                                    geometry,
                                                    cloud.blocks().cells(),
                                                    initial_configuration.points,
+                                                   density,
                                                    scene.gravity.norm());
       seed_particles(scene.mesh,
                      initial_configuration,
@@ -176,6 +181,8 @@ namespace Sandglass
     }
 
   private:
+    static constexpr double automatic_pic_share = 0.003;
+
     using Stage::begin;
     using Stage::cloud;
     using Stage::contact;
@@ -189,6 +196,14 @@ namespace Sandglass
     using Stage::scene;
     using Stage::time;
 
+    /// In them particles gather, and light ones are thrown out
+    /// (doc/three-dimensions.md).
+    bool
+    is_in_unequal_hexahedra() const
+    {
+      return Setting::cell_type == CellType::hexahedron && has_unequal_cells;
+    }
+
     void
     pass_over_particles()
     {
@@ -198,6 +213,7 @@ namespace Sandglass
                                            fields.acceleration,
                                            fields.mapped_velocity,
                                            time,
+                                           pic_share,
                                            nodal_sums,
                                            volumetric_average,
                                            strays);
@@ -401,6 +417,8 @@ namespace Sandglass
     const CellGeometry<Setting::cell_type> geometry;
     const InitialConfiguration<Kinematics, Setting::cell_type>
                                      initial_configuration;
+    const bool                       has_unequal_cells;
+    const double                     pic_share; ///< see approach()
     const double                     unstressed_density;
     const std::unique_ptr<const Law> law;
     NodalSums<Setting>               nodal_sums;

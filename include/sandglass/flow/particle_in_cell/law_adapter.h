@@ -34,6 +34,7 @@ namespace Sandglass
          const NodalField<dim>      &acceleration,
          const NodalField<dim>      &velocity,
          const Clock                &clock,
+         const double                pic_share,
          NodalSums<Setting>         &sums,
          VolumetricAverage<Setting> &volumetric_average,
          Strays<Layout>             &strays) const override
@@ -44,8 +45,8 @@ namespace Sandglass
       };
       if constexpr (Law::takes_averaged_strain)
         if (volumetric_average.is_on)
-          return run(pass_of<true>(clock.time_step));
-      return run(pass_of<false>(clock.time_step));
+          return run(pass_of<true>(pic_share, clock.time_step));
+      return run(pass_of<false>(pic_share, clock.time_step));
     }
 
     Elasticity
@@ -98,9 +99,9 @@ namespace Sandglass
 
     template <bool is_averaged>
     ParticlePass<Setting, Law, is_averaged>
-    pass_of(const double time_step) const
+    pass_of(const double pic_share, const double time_step) const
     {
-      return {geometry, stress_update, integration, time_step};
+      return {geometry, stress_update, integration, pic_share, time_step};
     }
 
     const StressUpdate<Law> stress_update;

@@ -42,6 +42,7 @@ namespace Sandglass
      * Steps 6, 8 and 9 of Section 4.4, and the next step's sums; see
      * ParticlePass.
      *
+     * @param pic_share  see approach().
      * @return the plastic work of the step in J.
      */
     virtual double
@@ -49,6 +50,7 @@ namespace Sandglass
          const NodalField<dim>      &acceleration,
          const NodalField<dim>      &velocity,
          const Clock                &clock,
+         const double                pic_share,
          NodalSums<Setting>         &sums,
          VolumetricAverage<Setting> &volumetric_average,
          Strays<Layout>             &strays) const = 0;

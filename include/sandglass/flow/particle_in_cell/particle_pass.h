@@ -35,10 +35,12 @@ namespace Sandglass
     ParticlePass(const Geometry          &geometry,
                  const StressUpdate<Law> &stress_update,
                  const StressIntegration  integration,
+                 const double             pic_share,
                  const double             time_step)
       : geometry(geometry)
       , stress_update(stress_update)
       , integration(integration)
+      , pic_share(pic_share)
       , time_step(time_step)
     {}
 
@@ -112,6 +114,7 @@ namespace Sandglass
         {
           change   = volumetric_average.rate_change(cell);
           averaged = {volumetric_average.rate(cell),
+                      volumetric_average.separated_compaction(cell),
                       volumetric_average.smallest_density};
         }
       else if constexpr (!Setting::has_uniform_strain)
@@ -133,7 +136,9 @@ namespace Sandglass
         const auto values = Shape::shape_values(state.reference);
         accelerate(interpolate(accelerations, values), time_step, state);
 
-        const auto  velocity     = interpolate(velocities, values);
+        const auto velocity = interpolate(velocities, values);
+        if constexpr (dim == 3) // in the plane the share is zero
+          approach(velocity, pic_share, state);
         const Lanes work_density = update_stress(state,
                                                  deformation(state, velocity),
                                                  {cell, block, 0},
@@ -202,6 +207,7 @@ namespace Sandglass
     const Geometry          &geometry;
     const StressUpdate<Law> &stress_update;
     const StressIntegration  integration;
+    const double             pic_share;
     const double             time_step;
 
     static constexpr double smallest_distance = Relocation<Setting>::margin;

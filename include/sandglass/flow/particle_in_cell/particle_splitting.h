@@ -27,13 +27,13 @@ namespace Sandglass
     return result;
   }
 
-  /// Whether the filled cells' volumes differ so much that particles have to be
-  /// halved. Plane meshes of one size have areas within a factor of four,
+  /// Whether the filled cells' volumes differ so much that light particles meet
+  /// heavy ones. Plane meshes of one size have areas within a factor of four,
   /// tetrahedra of one size volumes within a factor of ten.
   template <int dim, typename Configuration>
   bool
-  needs_splitting(const Mesh<dim>     &mesh,
-                  const Configuration &initial_configuration)
+  cells_differ_much(const Mesh<dim>     &mesh,
+                    const Configuration &initial_configuration)
   {
     constexpr double largest_ratio = dim == 2 ? 6. : 12.;
     double           smallest      = std::numeric_limits<double>::max();

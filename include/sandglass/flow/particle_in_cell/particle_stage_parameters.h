@@ -5,6 +5,7 @@
 
 #include <sandglass/continuum/stress_integration.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,7 @@ namespace Sandglass
   /// Where cells in which too many particles have gathered are relieved.
   enum class RelieveOverfullCells
   {
+    automatic, ///< where fed, and in unequal hexahedra while an outlet is open
     never,     ///< as in the paper
     where_fed, ///< in silos that are kept full, while an outlet is open
     always
@@ -72,9 +74,12 @@ namespace Sandglass
     double               loosest_density    = 0.97;
     SplitParticles       split_particles    = SplitParticles::where_needed;
     RelieveOverfullCells relieve_overfull_cells =
-      RelieveOverfullCells::where_fed;
-    OnLostParticle on_lost_particle = OnLostParticle::stop;
-    double         largest_speed    = 10.;
+      RelieveOverfullCells::automatic;
+    /// Of PIC in the update of the particles' velocity; none: as the program
+    /// chooses.
+    std::optional<double> pic_share;
+    OnLostParticle        on_lost_particle = OnLostParticle::stop;
+    double                largest_speed    = 10.;
 
     /// Whether the step follows the critical step instead of a table.
     bool has_automatic_time_step = true;

@@ -112,6 +112,18 @@ namespace Sandglass
       return share * sum / n_nodes + (1. - share) * own_rate(cell);
     }
 
+    /// What separated particles of a cell take besides their own rate, in 1/s.
+    double
+    separated_compaction(const unsigned int cell) const
+    {
+      if (!overfull)
+        return 0.;
+      double sum = 0.;
+      for (const unsigned int node : geometry.nodes(cell))
+        sum += overfull->compaction_rate(node);
+      return sum / n_nodes;
+    }
+
     /// The mean of its dense particles, in 1/s.
     double
     own_rate(const unsigned int cell) const
