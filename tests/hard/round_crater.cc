@@ -55,7 +55,7 @@ namespace
 
 
 // A crater's slope sends loose material down to the middle. There it must not
-// gather, which would let more and more through the outlet (without relief 1.3
+// gather, which would let more and more through the outlet (without relief 1.2
 // times as much), and no particle may be thrown out. The rate of flow without a
 // head is steady.
 TEST(RoundCrater, FlowsSteadily)
