@@ -26,11 +26,7 @@ namespace
       scene.fall_region_depth = 0.25;
       scene.refinement        = 0.6;
 
-      fixture.material.density                 = 1500.;
-      fixture.material.young_modulus           = 1e6;
-      fixture.material.poisson_ratio           = 0.3;
       fixture.material.internal_friction_angle = 30.;
-      fixture.walls.friction_angle             = 20.;
       fixture.parameters.end_time              = 1e6;
       fixture.particles_per_cell = scene.resolution().particles_per_cell;
       fixture.start(mesh_silo<3>(scene));
