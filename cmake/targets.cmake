@@ -27,9 +27,28 @@ set(precompiled_headers
   <deal.II/lac/la_parallel_vector.h>
   <deal.II/particles/particle_handler.h>)
 
-# Compile `target` as deal.II and we want it. Every target but the library
-# itself shares the library's precompiled headers.
+# sandglass_compile_together(<target> EXCEPT <file>...)
+#
+# The compiler takes longer over the headers that a file includes than over the
+# file, and several files share them. With SANDGLASS_UNITY=OFF each is compiled
+# by itself, which shows what includes it lacks.
+function(sandglass_compile_together target)
+  cmake_parse_arguments(files "" "" "EXCEPT" ${ARGN})
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${SANDGLASS_UNITY}
+    UNITY_BUILD_BATCH_SIZE 6
+    UNITY_BUILD_CODE_AFTER_INCLUDE "#undef INSTANTIATE")
+  set_source_files_properties(${files_EXCEPT} PROPERTIES
+    SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# sandglass_setup_target(<target> [QUICKLY <other target>])
+#
+# Compile `target` as deal.II and we want it, with the precompiled headers of the
+# library. QUICKLY: with little optimization, and with the headers that `other
+# target`, compiled like this, has precompiled; its own if it is `target`.
 function(sandglass_setup_target target)
+  cmake_parse_arguments(setup "" "QUICKLY" "" ${ARGN})
   deal_ii_setup_target(${target})
 
   # These come after deal.II's own flags, and the last of two wins. -g1 keeps
@@ -37,8 +56,12 @@ function(sandglass_setup_target target)
   # three quarters of the time of -g.
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    set(optimization -O3)
+    if(setup_QUICKLY)
+      set(optimization -O1 -fno-unroll-loops -fno-unroll-all-loops)
+    endif()
     target_compile_options(${target} PRIVATE
-      -O3 -fno-math-errno -fno-trapping-math -g1)
+      ${optimization} -fno-math-errno -fno-trapping-math -g1)
   endif()
   if(SANDGLASS_SANITIZE)
     # vptr needs type information that deal.II's library keeps to itself. -O1
@@ -59,10 +82,15 @@ function(sandglass_setup_target target)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       target_compile_options(${target} PRIVATE -fpch-preprocess)
     endif()
-    if(target STREQUAL "sandglass_library")
+    set(owner sandglass_library)
+    if(setup_QUICKLY)
+      set(owner ${setup_QUICKLY})
+      list(APPEND precompiled_headers <gtest/gtest.h>)
+    endif()
+    if(target STREQUAL owner)
       target_precompile_headers(${target} PRIVATE ${precompiled_headers})
     else()
-      target_precompile_headers(${target} REUSE_FROM sandglass_library)
+      target_precompile_headers(${target} REUSE_FROM ${owner})
     endif()
   endif()
 endfunction()

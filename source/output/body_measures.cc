@@ -13,8 +13,6 @@ namespace Sandglass
 {
   namespace
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-
     /// Whether there is a symmetry plane with a normal along x and z.
     std::array<bool, 3>
     find_symmetry_planes(const Mesh<3> &mesh)
@@ -36,6 +34,8 @@ namespace Sandglass
     /// The box around faces of a role, and where a symmetry plane cuts it.
     struct Extent
     {
+      static constexpr double infinity =
+        std::numeric_limits<double>::infinity();
       Point<3> lower{infinity, infinity, infinity},
         upper{-infinity, -infinity, -infinity};
       std::array<bool, 3> is_cut{{false, false, false}};

@@ -1,5 +1,6 @@
 #include <sandglass/output/body_vertical_part.h>
 #include <sandglass/output/silo_measures.h>
+#include <sandglass/output/small_sine.h>
 #include <sandglass/scene/mesh_faces.h>
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace Sandglass
 {
   namespace
   {
-    /// Sines of angles below this are zero.
-    constexpr double small_sine = 1e-3;
     /// Shares by which areas and slopes of facets differ from those of the
     /// round walls that they stand for.
     constexpr double same_area = 0.01, same_slope = 0.03;

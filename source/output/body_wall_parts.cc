@@ -1,4 +1,5 @@
 #include <sandglass/output/body_wall_parts.h>
+#include <sandglass/output/small_sine.h>
 #include <sandglass/scene/mesh_faces.h>
 #include <sandglass/walls/face_geometry.h>
 
@@ -14,7 +15,6 @@ namespace Sandglass
     constexpr double same_direction = 1. - 1e-5;
     /// A wall with more directions goes round.
     constexpr unsigned int most_sides = 6;
-    constexpr double       small_sine = 1e-3;
 
 
 

@@ -12,7 +12,7 @@ namespace Sandglass
     constexpr double fewest_columns = 8., most_columns = 128.;
 
     /// Rounding must not take material on the edge of a cell to another layer.
-    constexpr double rounding = 1e-6;
+    constexpr double edge_share = 1e-6;
   } // namespace
 
 
@@ -59,7 +59,7 @@ namespace Sandglass
       {
         double place = (initial_location[d] - origin[d]) / size[d];
         // Layers are counted from above.
-        place += d == 1 ? -rounding : rounding;
+        place += d == 1 ? -edge_share : edge_share;
         if (!(place > -1. && place < n[d] + 1.))
           return nowhere;
         index[d] = std::clamp<long>(std::floor(place), 0, n[d] - 1);

@@ -7,7 +7,7 @@ namespace Sandglass
 {
   namespace
   {
-    constexpr double rounding = 1e-9;
+    constexpr double same_length = 1e-9;
 
     WallLines::Side
     side_of(const Mesh<2>                   &mesh,
@@ -21,9 +21,11 @@ namespace Sandglass
           left_extent    = std::max(left_extent, middle - x);
           right_extent   = std::max(right_extent, x - middle);
         }
-      return left_extent <= rounding * right_extent ? WallLines::Side::right :
-             right_extent <= rounding * left_extent ? WallLines::Side::left :
-                                                      WallLines::Side::middle;
+      return left_extent <= same_length * right_extent ?
+               WallLines::Side::right :
+             right_extent <= same_length * left_extent ?
+               WallLines::Side::left :
+               WallLines::Side::middle;
     }
   } // namespace
 
@@ -72,7 +74,7 @@ namespace Sandglass
       const double    distance_a = point_a.distance(bottom_centre);
       const double    distance_b = point_b.distance(bottom_centre);
       // Mirror images are equally near up to rounding.
-      if (std::abs(distance_a - distance_b) <= rounding * distance_a)
+      if (std::abs(distance_a - distance_b) <= same_length * distance_a)
         return point_a[0] < point_b[0];
       return distance_a < distance_b;
     };

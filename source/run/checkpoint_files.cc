@@ -50,7 +50,7 @@ namespace Sandglass
 
 
     bool
-    is_whole(const std::string &text)
+    has_right_checksum(const std::string &text)
     {
       if (text.size() < format.size() + Checksum().size())
         return false;
@@ -98,7 +98,7 @@ namespace Sandglass
     std::ostringstream content;
     content << file.rdbuf();
     const std::string text = content.str();
-    if (!is_whole(text))
+    if (!has_right_checksum(text))
       refuse(filename, "is damaged, or no checkpoint: its checksum is wrong");
     if (text.compare(0, format.size(), format) != 0)
       refuse(filename,

@@ -1,18 +1,11 @@
 #include <sandglass/scene/body_plan_steps.h>
+#include <sandglass/scene/mesh_size.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace Sandglass
 {
-  namespace
-  {
-    /// As for tetrahedra: see grade_mesh_size().
-    constexpr double growth = 0.2;
-  } // namespace
-
-
-
   unsigned int
   n_cells_along(const double length, const double size)
   {
@@ -37,11 +30,11 @@ namespace Sandglass
   {
     // The integral of 1 / size, which tells how many steps there are.
     const double grows_to =
-      std::min(length, std::max(0., last - first) / growth);
-    const double at_end   = first + growth * grows_to;
+      std::min(length, std::max(0., last - first) / mesh_size_growth);
+    const double at_end   = first + mesh_size_growth * grows_to;
     const auto   steps_to = [&](const double distance) {
       const double growing = std::min(distance, grows_to);
-      return std::log1p(growth * growing / first) / growth +
+      return std::log1p(mesh_size_growth * growing / first) / mesh_size_growth +
              (distance - growing) / at_end;
     };
     const double        all      = steps_to(length);
@@ -50,10 +43,11 @@ namespace Sandglass
     std::vector<double> shares;
     for (unsigned int i = 0; i <= n; ++i)
       {
-        const double steps    = all * i / n;
-        const double distance = steps <= at_grown ?
-                                  first * std::expm1(growth * steps) / growth :
-                                  grows_to + (steps - at_grown) * at_end;
+        const double steps = all * i / n;
+        const double distance =
+          steps <= at_grown ?
+            first * std::expm1(mesh_size_growth * steps) / mesh_size_growth :
+            grows_to + (steps - at_grown) * at_end;
         shares.push_back(distance / length);
       }
     shares.back() = 1.;

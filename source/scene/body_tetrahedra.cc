@@ -1,5 +1,6 @@
 #include <sandglass/scene/body_tetrahedra.h>
 #include <sandglass/scene/gmsh_mesh.h>
+#include <sandglass/scene/mesh_size.h>
 
 #include <gmsh.h>
 
@@ -16,9 +17,6 @@ namespace Sandglass
   namespace
   {
     namespace Geometry = gmsh::model::occ;
-
-    /// As in the plane: see grade_mesh_size().
-    constexpr double growth = 0.2;
 
 
 
@@ -123,8 +121,8 @@ namespace Sandglass
                    largest  = resolution.element_size;
       gmsh::model::mesh::setSizeCallback(
         [&](int, int, const double x, const double y, const double z) {
-          return std::min(smallest +
-                            growth * body.distance_from_lip(Point<3>(x, y, z)),
+          return std::min(smallest + mesh_size_growth * body.distance_from_lip(
+                                                          Point<3>(x, y, z)),
                           largest);
         });
       gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);

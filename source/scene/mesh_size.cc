@@ -9,9 +9,6 @@ namespace Sandglass
                   const double            size_at_points,
                   const double            largest_size)
   {
-    // Neighbouring edges differ by a fifth, so triangles stay good.
-    constexpr double growth = 0.2;
-
     namespace Field    = gmsh::model::mesh::field;
     const int distance = Field::add("Distance");
     Field::setNumbers(distance, "PointsList", {points.begin(), points.end()});
@@ -19,7 +16,9 @@ namespace Sandglass
     const int size = Field::add("Threshold");
     Field::setNumber(size, "InField", distance);
     Field::setNumber(size, "DistMin", 0.);
-    Field::setNumber(size, "DistMax", (largest_size - size_at_points) / growth);
+    Field::setNumber(size,
+                     "DistMax",
+                     (largest_size - size_at_points) / mesh_size_growth);
     Field::setNumber(size, "SizeMin", size_at_points);
     Field::setNumber(size, "SizeMax", largest_size);
     Field::setAsBackgroundMesh(size);

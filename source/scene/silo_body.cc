@@ -9,13 +9,11 @@ namespace Sandglass
 
   namespace
   {
-    using Parameters = SceneParameters;
-
     Outline
-    wall_outline(const Parameters &parameters)
+    wall_outline(const SceneParameters &parameters)
     {
       const bool is_round =
-        parameters.cross_section == Parameters::CrossSection::circle;
+        parameters.cross_section == SceneParameters::CrossSection::circle;
       return {is_round,
               parameters.half_width,
               is_round ? parameters.half_width : parameters.whole_half_depth(),
@@ -25,15 +23,15 @@ namespace Sandglass
 
 
     Outline
-    outlet_outline(const Parameters &parameters)
+    outlet_outline(const SceneParameters &parameters)
     {
       const double half_width = parameters.outlet_half_width;
       const bool   is_round =
-        parameters.outlet_shape == Parameters::OutletShape::circle;
+        parameters.outlet_shape == SceneParameters::OutletShape::circle;
       return {is_round,
               half_width,
               is_round ? half_width :
-              parameters.outlet_shape == Parameters::OutletShape::slot ?
+              parameters.outlet_shape == SceneParameters::OutletShape::slot ?
                          parameters.whole_half_depth() :
                          parameters.outlet_half_depth.value_or(half_width),
               Point<2>(parameters.outlet_eccentricity,
@@ -46,7 +44,8 @@ namespace Sandglass
   SiloBody::SiloBody(const SceneParameters &parameters)
     : wall(wall_outline(parameters))
     , outlet(outlet_outline(parameters))
-    , outlet_is_slot(parameters.outlet_shape == Parameters::OutletShape::slot)
+    , outlet_is_slot(parameters.outlet_shape ==
+                     SceneParameters::OutletShape::slot)
     , hopper_height(parameters.hopper_height)
     , silo_height(parameters.silo_height())
     , fall_region_depth(parameters.fall_region_depth)

@@ -1,6 +1,7 @@
 #ifndef sandglass_output_section_outline_h
 #define sandglass_output_section_outline_h
 
+#include <sandglass/output/small_sine.h>
 #include <sandglass/walls/wall.h>
 
 #include <algorithm>
@@ -14,9 +15,6 @@
 
 namespace Sandglass
 {
-  /// Sines of angles below this are zero.
-  constexpr double small_sine = 1e-3;
-
   /// Lowest and highest of some numbers; empty without any.
   struct Range
   {
