@@ -49,7 +49,7 @@ namespace
           study->perform(parameters, command_line, file, communicator);
         else
           {
-            parameters.scene.fix_resolution();
+            parameters.fix_resolution();
             run(parameters,
                 command_line,
                 file.warnings(dealii::ParameterAcceptor::prm),

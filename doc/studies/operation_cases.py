@@ -6,7 +6,7 @@ NAME = "operation"
 LAYERS = (1, 2, 4, 8, 16, 25)
 SHARES = (25, 50, 75, 100)  # of the outlet that a gate leaves open, %
 OUTLET = 0.2  # half width of the whole outlet, m
-STEADY_END = 45.  # s
+STEADY_END = 52.  # s
 # Cell type, size of elements, and of those at the lip, in m
 FUNNELS = {"triangles": ("triangle", 0.05, 0.02),
            "finer triangles": ("triangle", 0.03, 0.02),

@@ -260,4 +260,20 @@ namespace Sandglass
                        "Green-Naghdi",
                        "the law '" + model + "' is offered with Jaumann only");
   }
+
+
+
+  double
+  MaterialParameters::wave_speed() const
+  {
+    double result = 0.;
+    choose_law(*this, [&](const auto law) {
+      using Law = typename decltype(law)::Type;
+      if constexpr (Law::has_constant_stiffness)
+        result = Law(static_cast<const MaterialConstants &>(*this))
+                   .stiffness_bound()
+                   .wave_speed(density);
+    });
+    return result;
+  }
 } // namespace Sandglass

@@ -24,6 +24,15 @@ namespace Sandglass
     constexpr double triangles_across_half_width = 10.;
     /// and along the shortest part of its walls.
     constexpr double triangles_along_wall = 4.;
+    /// Triangles along hoppers flatter than 45 degrees, at which material flows
+    /// and rests side by side (doc/results/any-silo.md),
+    constexpr double triangles_along_flat_hopper = 16.;
+    /// as far as it costs no more than these particle-steps up to 5 sqrt(D/g),
+    /// some ten seconds of a core.
+    constexpr double most_work = 2e8;
+    /// Triangles of a section, times the square of their size, over its area:
+    /// 2.3 if all were equilateral, and those at the lip.
+    constexpr double triangles_over_squares = 2.6;
     /// Of empty cells, over the half width.
     constexpr double headroom_over_half_width = 0.2;
     /// Enough for cells that particles of other cells have come to.
@@ -60,6 +69,26 @@ namespace Sandglass
 
 
 
+    /// Horizontal length of the hopper, in m; of the shorter one where there
+    /// are two.
+    double
+    hopper_run(const SceneParameters &silo)
+    {
+      return silo.half_width - std::abs(silo.outlet_eccentricity) -
+             silo.outlet_half_width;
+    }
+
+
+
+    /// Length of the hopper's wall, in m.
+    double
+    hopper_length(const SceneParameters &silo)
+    {
+      return std::hypot(silo.hopper_height, hopper_run(silo));
+    }
+
+
+
     /// Length of the shortest part of the silo's walls that the mesh has to
     /// follow, in m.
     double
@@ -69,11 +98,7 @@ namespace Sandglass
       if (silo.wall_height > 0.)
         shortest = std::min(shortest, silo.wall_height);
       if (silo.hopper_height > 0.)
-        shortest = std::min(shortest,
-                            std::hypot(silo.hopper_height,
-                                       silo.half_width -
-                                         std::abs(silo.outlet_eccentricity) -
-                                         silo.outlet_half_width));
+        shortest = std::min(shortest, hopper_length(silo));
       return shortest;
     }
 
@@ -118,8 +143,46 @@ namespace Sandglass
 
 
 
+    /// What triangles of these sizes cost up to 5 sqrt(D/g), over most_work.
+    double
+    relative_work(const SceneParameters &silo,
+                  const double           elsewhere,
+                  const double           at_lip,
+                  const double           wave_speed)
+    {
+      const double gravity = std::hypot(silo.gravity[0], silo.gravity[1]);
+      if (!silo.outlet_is_open || !(gravity > 0.))
+        return 0.;
+      const double particles = particles_per_automatic_cell *
+                               triangles_over_squares * filled_area(silo) /
+                               (elsewhere * elsewhere);
+      const double time = 5. * std::sqrt(2. * silo.outlet_half_width / gravity);
+      const double steps = time * wave_speed / at_lip;
+      return particles * steps / most_work;
+    }
+
+
+
+    /// The size of triangles elsewhere that a flat hopper asks for, as far as
+    /// the work allows: it goes with their number.
+    double
+    size_along_hopper(const SceneParameters &silo,
+                      const double           elsewhere,
+                      const double           work)
+    {
+      const bool is_flat = silo.hopper_height < hopper_run(silo);
+      if (!(silo.hopper_height > 0.) || !is_flat)
+        return elsewhere;
+      return std::clamp(hopper_length(silo) / triangles_along_flat_hopper,
+                        elsewhere * std::sqrt(std::min(1., work)),
+                        elsewhere);
+    }
+
+
+
     Resolution
-    resolution_of_triangles(const SceneParameters &silo)
+    resolution_of_triangles(const SceneParameters &silo,
+                            const double           wave_speed)
     {
       Resolution resolution;
       double elsewhere = std::min(silo.half_width / triangles_across_half_width,
@@ -130,12 +193,16 @@ namespace Sandglass
           std::max(elsewhere / 2.,
                    std::min(elsewhere,
                             *silo.fill_height / triangles_along_wall));
-      const double at_lip =
+      const double suits_outlet =
         std::min(elsewhere,
                  2. * silo.outlet_half_width /
                    (silo.formulation == Formulation::axisymmetric ?
                       triangles_across_circle :
                       triangles_across_slot));
+      const double work =
+        relative_work(silo, elsewhere, suits_outlet, wave_speed);
+      elsewhere           = size_along_hopper(silo, elsewhere, work);
+      const double at_lip = std::min(suits_outlet, elsewhere);
       const double given_at_lip =
         silo.outlet_element_size.value_or(rounded(at_lip));
       resolution.outlet_element_size = given_at_lip;
@@ -144,6 +211,9 @@ namespace Sandglass
                                          rounded(at_lip);
       return resolution;
     }
+
+
+
     /// Of tetrahedra and hexahedra, which both can be smaller at the lip.
     Resolution
     resolution_in_space(const SceneParameters &silo)
@@ -187,7 +257,7 @@ namespace Sandglass
 
 
   Resolution
-  automatic_resolution(const SceneParameters &silo)
+  automatic_resolution(const SceneParameters &silo, const double wave_speed)
   {
     Resolution resolution;
     if (silo.formulation == Formulation::three_dimensions)
@@ -203,7 +273,7 @@ namespace Sandglass
     if (silo.shape == SceneParameters::Shape::silo)
       {
         if (silo.cell_type == CellType::triangle)
-          resolution = resolution_of_triangles(silo);
+          resolution = resolution_of_triangles(silo, wave_speed);
         else
           resolution.element_size = rounded(size_of_squares(silo));
       }

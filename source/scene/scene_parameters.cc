@@ -235,9 +235,9 @@ namespace Sandglass
 
 
   Resolution
-  SceneParameters::unrefined_resolution() const
+  SceneParameters::unrefined_resolution(const double wave_speed) const
   {
-    const Resolution chosen = automatic_resolution(*this);
+    const Resolution chosen = automatic_resolution(*this, wave_speed);
     if (!element_size)
       return {chosen.element_size,
               outlet_element_size.value_or(chosen.outlet_element_size),
@@ -256,7 +256,7 @@ namespace Sandglass
   Resolution
   SceneParameters::resolution() const
   {
-    Resolution result = unrefined_resolution();
+    Resolution result = unrefined_resolution(0.);
     result.element_size /= refinement;
     result.outlet_element_size /= refinement;
     return result;
@@ -275,9 +275,9 @@ namespace Sandglass
 
 
   void
-  SceneParameters::fix_resolution()
+  SceneParameters::fix_resolution(const double wave_speed)
   {
-    const Resolution resolution = unrefined_resolution();
+    const Resolution resolution = unrefined_resolution(wave_speed);
     if (!headroom)
       set_parameter("Scene", "Headroom", headroom_height());
     if (shape == Shape::silo && !outlet_element_size)

@@ -89,7 +89,7 @@ namespace Sandglass
   ConvergencePlan
   plan_convergence(Parameters &parameters, const ParameterFile &file)
   {
-    parameters.scene.fix_resolution();
+    parameters.fix_resolution();
     ConvergencePlan plan;
     set_times(parameters, file, plan);
     plan.refinements = find_refinements(parameters);

@@ -183,7 +183,7 @@ namespace Sandglass
       for (const std::string &name : automatic_parameters)
         set_parameter("Scene", name, std::string(automatic));
       parameters.check();
-      parameters.scene.fix_resolution();
+      parameters.fix_resolution();
     }
 
 

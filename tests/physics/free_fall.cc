@@ -42,6 +42,55 @@ TEST_P(FreeFall, IsExactAndStressFree)
   });
 }
 
+// Material that flies up to where the grid ends stays in it, and falls down
+// again; before, a particle that did stopped the run.
+TEST_P(FreeFall, IsHeldAtTheTopOfTheGrid)
+{
+  StageFixture fixture;
+  fixture.formulation               = std::get<1>(GetParam());
+  fixture.parameters.time_step_text = "1e-3";
+  Rectangle rectangle;
+  rectangle.cell_type = std::get<0>(GetParam());
+  rectangle.upper     = Point<2>(0.5, 1.);
+  rectangle.n_x       = 5;
+  rectangle.n_y       = 10;
+  rectangle.is_filled = [](const Point<2> &center) {
+    return center[1] > 0.5 && center[1] < 0.9;
+  };
+  const auto throw_up = [&fixture, &rectangle ]() -> auto &
+  {
+    auto &stage = fixture.start(rectangle.mesh());
+    fixture.change_particles([](auto, const auto &, auto state) {
+      state[StageLayout::velocity + 1] = 2.;
+    });
+    return stage;
+  };
+  auto        &stage  = throw_up();
+  const double mass   = stage.view().totals().mass_in_silo;
+  double       height = 0.;
+  for (unsigned int step = 0; step < 400; ++step)
+    {
+      stage.step();
+      height = 0.;
+      fixture.for_each_particle([&](auto, const auto &position, auto) {
+        EXPECT_LT(position[1], 1.);
+        height = std::max(height, position[1]);
+      });
+    }
+  EXPECT_LT(height, 0.9);
+  EXPECT_NEAR(stage.view().totals().mass_in_silo / mass, 1., 1e-14);
+
+  fixture.parameters.on_lost_particle =
+    ParticleStageParameters::OnLostParticle::stop;
+  auto &stopping = throw_up();
+  EXPECT_THROW(
+    {
+      for (unsigned int step = 0; step < 400; ++step)
+        stopping.step();
+    },
+    RunError);
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Settings,
   FreeFall,

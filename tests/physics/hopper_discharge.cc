@@ -115,7 +115,7 @@ TEST_P(HopperTest, BothWallsSupportTheNodeWhereTheyMeet)
 
 
 
-// With the default 'On lost particle = stop', a particle that leaves through a
+// With the default 'On lost particle = hold', a particle that leaves through a
 // wall throws.
 TEST_P(HopperTest, DischargesWithoutLosingAParticle)
 {

@@ -127,11 +127,29 @@ TEST_F(AutomaticMesh, IsTheMeshOfItsNumbers)
       draw_silo(random);
       silo.refinement             = 1.4;
       const Resolution resolution = silo.resolution();
-      silo.fix_resolution();
+      silo.fix_resolution(0.);
       ASSERT_TRUE(silo.element_size && silo.outlet_element_size &&
                   silo.particles_per_cell);
       expect_equal(silo.resolution(), resolution);
     }
+}
+
+
+
+/// Hoppers flatter than 45 degrees have 16 cells along them, as far as the work
+/// allows.
+TEST_F(AutomaticMesh, FollowsFlatHoppers)
+{
+  const auto cells_along = [this](const double slope, const double wave_speed) {
+    const double run   = silo.half_width - silo.outlet_half_width;
+    silo.hopper_height = run * std::tan(slope * dealii::numbers::PI / 180.);
+    return std::hypot(run, silo.hopper_height) /
+           automatic_resolution(silo, wave_speed).element_size;
+  };
+  EXPECT_NEAR(cells_along(30., 0.), 16., 0.1);
+  EXPECT_NEAR(cells_along(44., 20.), 16., 0.1);
+  EXPECT_LT(cells_along(46., 0.), 11.);
+  EXPECT_LT(cells_along(30., 1e4), 9.);
 }
 
 

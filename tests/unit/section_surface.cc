@@ -265,7 +265,13 @@ TEST(SectionOfTriangles, GradedAndAutomatic)
               0.4 * (0.8 + 0.2) + 1.6 * 0.5,
               1e-9);
   silo.fill_height = 0.2;
-  EXPECT_DOUBLE_EQ(silo.resolution().element_size, 0.05);
+  EXPECT_DOUBLE_EQ(silo.resolution().element_size, usual);
   silo.fill_height = 1e-3;
-  EXPECT_DOUBLE_EQ(silo.resolution().element_size, usual / 2.);
+  EXPECT_DOUBLE_EQ(silo.resolution().element_size, 0.04);
+  // Without a flat hopper, which asks for smaller ones in any case.
+  silo.hopper_height = 0.;
+  silo.fill_height   = 0.9;
+  EXPECT_DOUBLE_EQ(silo.resolution().element_size, 0.08);
+  silo.fill_height = 0.2;
+  EXPECT_DOUBLE_EQ(silo.resolution().element_size, 0.05);
 }

@@ -22,6 +22,11 @@ namespace Sandglass
     void
     check();
 
+    /// Of dilatational waves in m/s, if the law's stiffness is constant; 0:
+    /// it depends on the stress.
+    double
+    wave_speed() const;
+
     /// As they are in the parameter file.
     NamedNumbers given_law_constants;
   };

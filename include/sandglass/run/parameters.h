@@ -67,6 +67,16 @@ namespace Sandglass
       output.check();
     }
 
+    /// Give the sizes of cells that are `auto` the numbers chosen: see
+    /// SceneParameters::fix_resolution().
+    void
+    fix_resolution()
+    {
+      const bool is_explicit =
+        flow.method == FlowParameters::Method::particle_in_cell;
+      scene.fix_resolution(is_explicit ? material.wave_speed() : 0.);
+    }
+
   private:
     /// What is for the plane only.
     void

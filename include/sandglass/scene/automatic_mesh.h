@@ -22,14 +22,19 @@ namespace Sandglass
    * its cells at the outlet's lip are a share of the outlet's width, which
    * decides how exact the flow rate is (doc/graded-meshes.md), and resolve the
    * silo's own lengths elsewhere. Squares have one size, which grows where a
-   * small outlet would cost too many of them.
+   * small outlet would cost too many of them; triangles are smaller for flat
+   * hoppers where that costs little.
    *
-   * Depends on the silo's lengths, formulation and cell type alone. Sizes have
-   * three digits, so that a parameter file holds them exactly. A mesh file has
-   * its own cells: then only the number of particles means something.
+   * Depends on the silo's lengths, formulation, cell type and gravity, and on
+   * the speed of waves alone. Sizes have three digits, so that a parameter file
+   * holds them exactly. A mesh file has its own cells: then only the number of
+   * particles means something.
+   *
+   * @param wave_speed  of dilatational waves in the material, in m/s, on which
+   *   the number of steps depends; 0: as if steps cost nothing.
    */
   Resolution
-  automatic_resolution(const SceneParameters &silo);
+  automatic_resolution(const SceneParameters &silo, const double wave_speed);
 } // namespace Sandglass
 
 #endif

@@ -134,8 +134,8 @@ namespace Sandglass
       return hopper_height + wall_height;
     }
 
-    /// How fine the silo is computed: the numbers given, those chosen where
-    /// there are none, and all cells smaller by the refinement.
+    /// How fine the silo is computed: the numbers given or fixed, those chosen
+    /// where there are none, and all cells smaller by the refinement.
     Resolution
     resolution() const;
 
@@ -147,9 +147,11 @@ namespace Sandglass
      * Give the parameters that are `auto` the numbers chosen, as if they stood
      * in the parameter file: then parameters.prm repeats the run, whatever a
      * later version of the program would choose.
+     *
+     * @param wave_speed  see automatic_resolution().
      */
     void
-    fix_resolution();
+    fix_resolution(const double wave_speed);
 
     /// Throws InputError where values contradict each other.
     void
@@ -164,9 +166,9 @@ namespace Sandglass
     void
     check_body() const;
 
-    /// The same without the refinement.
+    /// The same without the refinement; see automatic_resolution().
     Resolution
-    unrefined_resolution() const;
+    unrefined_resolution(const double wave_speed) const;
 
     /// The part of check() for whole sections and outlets beside the middle.
     void

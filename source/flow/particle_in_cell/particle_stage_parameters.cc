@@ -142,9 +142,12 @@ namespace Sandglass
       *this,
       "On lost particle",
       on_lost_particle,
-      {{"stop", OnLostParticle::stop}, {"remove", OnLostParticle::remove}},
+      {{"hold", OnLostParticle::hold},
+       {"stop", OnLostParticle::stop},
+       {"remove", OnLostParticle::remove}},
       "What to do with a particle that leaves the grid other than through the "
-      "fall region: stop the run, or remove and count it.");
+      "fall region: hold it at the grid's top, without its velocity out of it, "
+      "and stop the run anywhere else; stop the run; or remove and count it.");
     add_number(*this,
                "Largest speed",
                largest_speed,

@@ -57,6 +57,7 @@ namespace Sandglass
 
     enum class OnLostParticle
     {
+      hold, ///< at the grid's top, and stop elsewhere
       stop,
       remove
     };
@@ -78,7 +79,7 @@ namespace Sandglass
     /// Of PIC in the update of the particles' velocity; none: as the program
     /// chooses.
     std::optional<double> pic_share;
-    OnLostParticle        on_lost_particle = OnLostParticle::stop;
+    OnLostParticle        on_lost_particle = OnLostParticle::hold;
     double                largest_speed    = 10.;
 
     /// Whether the step follows the critical step instead of a table.

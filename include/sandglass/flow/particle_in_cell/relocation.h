@@ -75,10 +75,32 @@ namespace Sandglass
     bool
     is_held_by_lip(const Parcel &stray, const Location &location) const;
 
+    /// Where a particle has left the grid.
+    struct Exit
+    {
+      Tensor<1, dim> normal;       ///< of the face, outwards
+      double         distance;     ///< to the face, in m
+      double         small_length; ///< less than which is at the face, in m
+    };
+
+    Exit
+    find_exit(const Parcel &stray, const Location &location) const;
+
+    /// Put a particle back to where it has left the grid: a little inside, so
+    /// that the walk ends in a cell.
+    Location
+    put_back(Parcel &stray, const Exit &exit, const Location &location) const;
+
     /// Put a particle beyond a wall back onto it, and stop its motion into it
     /// as far as friction and wall do.
     Location
     hold_at_wall(Parcel &stray, const Location &location);
+
+    /// Put a particle above the grid's top back, and stop its motion out of it:
+    /// the material's surface may move up a little, and a light particle jump,
+    /// where there are no cells.
+    Location
+    hold_at_top(Parcel &stray, const Location &location) const;
 
     void
     report_fault(const Parcel &stray, const Location &location);
@@ -91,6 +113,7 @@ namespace Sandglass
     RemovedMass                  &removed;
     const MPI_Comm                communicator;
     const bool                    stops_at_loss;
+    const bool                    holds_at_top;
 
     /// Whether the cell has the outlet lip's node; empty unless the lip is
     /// free.

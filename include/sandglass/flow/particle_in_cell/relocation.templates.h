@@ -57,8 +57,10 @@ namespace Sandglass
     , walls(scene.walls)
     , removed(removed)
     , communicator(scene.communicator)
-    , stops_at_loss(parameters.on_lost_particle ==
-                    ParticleStageParameters::OnLostParticle::stop)
+    , stops_at_loss(parameters.on_lost_particle !=
+                    ParticleStageParameters::OnLostParticle::remove)
+    , holds_at_top(parameters.on_lost_particle ==
+                   ParticleStageParameters::OnLostParticle::hold)
   {
     if (wall_parameters.outlet_lip == WallParameters::OutletLip::free)
       is_at_free_lip = find_cells_at_lip(scene);
@@ -104,6 +106,9 @@ namespace Sandglass
     Location location = geometry.find(stray.location, stray.cell);
     if (location.kind == Kind::outside && is_held_by_lip(stray, location))
       location = hold_at_wall(stray, location);
+    else if (location.kind == Kind::outside && holds_at_top &&
+             location.part.role == BoundaryRole::top)
+      location = hold_at_top(stray, location);
 
     // In space a wall may be curved or twisted: nodes that slide along it, and
     // a lip's neighbouring faces, take particles a little beyond its faces; in
@@ -162,23 +167,49 @@ namespace Sandglass
 
 
   template <typename Setting>
-  typename Relocation<Setting>::Location
-  Relocation<Setting>::hold_at_wall(Parcel &stray, const Location &location)
+  typename Relocation<Setting>::Exit
+  Relocation<Setting>::find_exit(const Parcel   &stray,
+                                 const Location &location) const
   {
-    const auto      &shape = geometry.shape(location.cell);
-    const auto      &nodes = Geometry::Shape::face_nodes[location.face];
-    const Wall<dim> &wall  = walls[location.part.wall];
+    const auto &shape = geometry.shape(location.cell);
+    const auto &nodes = Geometry::Shape::face_nodes[location.face];
 
     std::array<Point<dim>, dim> points;
     for (unsigned int i = 0; i < dim; ++i)
       points[i] = shape.node(nodes[i]);
-    Tensor<1, dim> normal   = unit_normal<dim>(points);
-    double         distance = normal * (stray.location - points[0]);
-    if (distance < 0.)
+    Exit exit;
+    exit.normal       = unit_normal<dim>(points);
+    exit.distance     = exit.normal * (stray.location - points[0]);
+    exit.small_length = margin * points[0].distance(points[1]);
+    if (exit.distance < 0.)
       {
-        normal *= -1.;
-        distance *= -1.;
+        exit.normal *= -1.;
+        exit.distance *= -1.;
       }
+    return exit;
+  }
+
+
+
+  template <typename Setting>
+  typename Relocation<Setting>::Location
+  Relocation<Setting>::put_back(Parcel         &stray,
+                                const Exit     &exit,
+                                const Location &location) const
+  {
+    stray.location -= (exit.distance + exit.small_length) * exit.normal;
+    return geometry.find(stray.location, location.cell);
+  }
+
+
+
+  template <typename Setting>
+  typename Relocation<Setting>::Location
+  Relocation<Setting>::hold_at_wall(Parcel &stray, const Location &location)
+  {
+    const Wall<dim>      &wall   = walls[location.part.wall];
+    const Exit            exit   = find_exit(stray, location);
+    const Tensor<1, dim> &normal = exit.normal;
 
     // Coulomb's law for the changes of velocity, in place of impulses.
     Tensor<1, dim> velocity;
@@ -193,23 +224,38 @@ namespace Sandglass
     for (unsigned int d = 0; d < dim; ++d)
       stray.properties[Layout::velocity + d] += change[d];
 
-    stray.location -= distance * normal;
+    const Location   held = put_back(stray, exit, location);
     WallImpulse<dim> impulse{location.cell,
                              location.face,
                              {},
                              stray.properties[Layout::mass] * change,
                              velocity + change - wall.velocity,
                              wall.velocity};
-    const auto       shape_values = Geometry::Shape::shape_values(
-      Geometry::Shape::clamp(shape.to_reference(stray.location), 0.));
+    const auto       shape_values =
+      Geometry::Shape::shape_values(Geometry::Shape::clamp(
+        geometry.shape(location.cell).to_reference(stray.location), 0.));
     std::copy(shape_values.begin(),
               shape_values.end(),
               impulse.shape_values.begin());
     wall_impulses.push_back(impulse);
+    return held;
+  }
 
-    // A little inside, so that the walk ends in a cell.
-    stray.location -= margin * points[0].distance(points[1]) * normal;
-    return geometry.find(stray.location, location.cell);
+
+
+  template <typename Setting>
+  typename Relocation<Setting>::Location
+  Relocation<Setting>::hold_at_top(Parcel         &stray,
+                                   const Location &location) const
+  {
+    const Exit     exit = find_exit(stray, location);
+    Tensor<1, dim> velocity;
+    for (unsigned int d = 0; d < dim; ++d)
+      velocity[d] = stray.properties[Layout::velocity + d];
+    const double outwards = std::max(0., velocity * exit.normal);
+    for (unsigned int d = 0; d < dim; ++d)
+      stray.properties[Layout::velocity + d] -= outwards * exit.normal[d];
+    return put_back(stray, exit, location);
   }
 
 
@@ -240,10 +286,10 @@ namespace Sandglass
                     walls[location.part.wall].name)
               << ". Try a smaller Particle stage/Time step"
               << (location.part.role == BoundaryRole::top ?
-                    " or more Scene/Headroom" :
-                    "")
-              << ", or set On lost particle = remove to go on without such "
-                 "particles.";
+                    " or more Scene/Headroom, or set On lost particle = hold "
+                    "to keep such particles, or" :
+                    ", or set On lost particle =")
+              << " remove to go on without them.";
     fault = message.str();
   }
 
