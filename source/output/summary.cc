@@ -1,6 +1,6 @@
-#include <deal.II/base/utilities.h>
-
 #include <sandglass/output/summary.h>
+
+#include <sys/resource.h>
 
 #include <cmath>
 #include <limits>
@@ -29,8 +29,10 @@ namespace Sandglass
   double
   peak_memory()
   {
-    dealii::Utilities::System::MemoryStats statistics;
-    dealii::Utilities::System::get_memory_stats(statistics);
-    return statistics.VmHWM / 1024.;
+    // Not by deal.II's get_memory_stats(), which never returns where there is
+    // no /proc, as in many containers.
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024.; // from KiB
   }
 } // namespace Sandglass

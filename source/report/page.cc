@@ -6,6 +6,8 @@
 #include <sandglass/report/text_files.h>
 #include <sandglass/report/wall_cut.h>
 
+#include <sys/auxv.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -22,7 +24,9 @@ namespace Sandglass
       std::filesystem::path
       template_directory()
       {
-        const auto program = std::filesystem::canonical("/proc/self/exe");
+        // As the kernel was told it: there need be no /proc.
+        const auto program = std::filesystem::canonical(
+          reinterpret_cast<const char *>(getauxval(AT_EXECFN)));
         const std::array<std::filesystem::path, 2> places = {
           {program.parent_path() / "share/sandglass/report",
            program.parent_path().parent_path() / "share/sandglass/report"}};

@@ -26,7 +26,7 @@ chroot "$machine" sh -e -c '
   cd /root
   apt-get update -qq
   DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends ./sandglass.deb
-  sandglass /usr/share/sandglass/prm/quickstart.prm -o run --quiet
+  timeout 300 sandglass /usr/share/sandglass/prm/quickstart.prm -o run --quiet
   sandglass-report run' >"$directory/install.log" 2>&1 ||
   { tail -20 "$directory/install.log"; exit 1; }
 for file in flow_rate.csv summary.json report.html; do
