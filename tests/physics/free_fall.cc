@@ -6,23 +6,39 @@ using namespace Sandglass;
 
 namespace
 {
+  /// A box of cells 0.1 m large; steps of 1 ms.
   class FreeFall
     : public testing::TestWithParam<std::tuple<CellType, Formulation>>
-  {};
+  {
+  protected:
+    FreeFall()
+    {
+      fixture.formulation               = std::get<1>(GetParam());
+      fixture.parameters.time_step_text = "1e-3";
+      rectangle.cell_type               = std::get<0>(GetParam());
+    }
+
+    /// The stage of such a box, 0.5 m wide and some cells high, filled in part.
+    template <typename IsFilled>
+    auto &
+    start(const unsigned int n_y, const IsFilled &is_filled)
+    {
+      rectangle.upper     = Point<2>(0.5, 0.1 * n_y);
+      rectangle.n_x       = 5;
+      rectangle.n_y       = n_y;
+      rectangle.is_filled = is_filled;
+      return fixture.start(rectangle.mesh());
+    }
+
+    StageFixture fixture;
+    Rectangle    rectangle;
+  };
 } // namespace
 
 TEST_P(FreeFall, IsExactAndStressFree)
 {
-  StageFixture fixture;
-  fixture.formulation               = std::get<1>(GetParam());
-  fixture.parameters.time_step_text = "1e-3";
-  Rectangle rectangle;
-  rectangle.cell_type = std::get<0>(GetParam());
-  rectangle.upper     = Point<2>(0.5, 2.);
-  rectangle.n_x       = 5;
-  rectangle.n_y       = 20;
-  rectangle.is_filled = [](const Point<2> &center) { return center[1] > 1.5; };
-  auto &stage         = fixture.start(rectangle.mesh());
+  auto &stage =
+    start(20, [](const Point<2> &center) { return center[1] > 1.5; });
 
   constexpr unsigned int n_steps = 400;
   for (unsigned int step = 0; step < n_steps; ++step)
@@ -42,24 +58,17 @@ TEST_P(FreeFall, IsExactAndStressFree)
   });
 }
 
+
+
 // Material that flies up to where the grid ends stays in it, and falls down
 // again; before, a particle that did stopped the run.
 TEST_P(FreeFall, IsHeldAtTheTopOfTheGrid)
 {
-  StageFixture fixture;
-  fixture.formulation               = std::get<1>(GetParam());
-  fixture.parameters.time_step_text = "1e-3";
-  Rectangle rectangle;
-  rectangle.cell_type = std::get<0>(GetParam());
-  rectangle.upper     = Point<2>(0.5, 1.);
-  rectangle.n_x       = 5;
-  rectangle.n_y       = 10;
-  rectangle.is_filled = [](const Point<2> &center) {
-    return center[1] > 0.5 && center[1] < 0.9;
-  };
-  const auto throw_up = [&fixture, &rectangle ]() -> auto &
+  const auto throw_up = [this]() -> auto &
   {
-    auto &stage = fixture.start(rectangle.mesh());
+    auto &stage = start(10, [](const Point<2> &center) {
+      return center[1] > 0.5 && center[1] < 0.9;
+    });
     fixture.change_particles([](auto, const auto &, auto state) {
       state[StageLayout::velocity + 1] = 2.;
     });
@@ -90,6 +99,8 @@ TEST_P(FreeFall, IsHeldAtTheTopOfTheGrid)
     },
     RunError);
 }
+
+
 
 INSTANTIATE_TEST_SUITE_P(
   Settings,
